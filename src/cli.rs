@@ -1,0 +1,101 @@
+//! The command line: one file a subcommand.
+
+mod presets;
+mod run;
+mod watch;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::output::OutputError;
+use crate::scenario::error::ScenarioError;
+
+/// Runs the program on the process's arguments.
+pub fn run() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            let _ = error.print(); // nowhere left to say that this failed
+            return if error.use_stderr() {
+                ExitCode::from(2)
+            } else {
+                ExitCode::SUCCESS
+            };
+        }
+    };
+    let done = match cli.command {
+        None => run::run(&cli.run),
+        Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Presets) => presets::print(),
+    };
+    match done {
+        Ok(code) => code,
+        Err(Failure::Output(OutputError::Write { source, .. }) | Failure::Stdout(source))
+            if source.kind() == io::ErrorKind::BrokenPipe =>
+        {
+            ExitCode::SUCCESS // whoever read us has seen enough
+        }
+        Err(failure) => {
+            let _ = writeln!(io::stderr(), "error: {failure}");
+            failure.exit_code()
+        }
+    }
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  parsim2d                                 the guide's run: 20 discs, 1 s
+  parsim2d -n 1000 --radius 5e-4           its harder case
+  parsim2d --restitution 1 --time 0.1s     elastic discs
+  parsim2d examples/settling.toml          a scenario file
+  parsim2d --slowdown 20                   slow enough to watch: gnuplot plot/loop.plot
+
+Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 130 interrupted.";
+
+/// A 2D particle simulator for teaching: discs, springs and dashpots in a box.
+///
+/// Writes out.txt (the present frame, x y r), trajectory.txt (all frames, x y r vx vy) and
+/// energy.csv (the energy ledger). All values in SI units; a unit may be added: 4cm, 1ms, 2g.
+#[derive(Parser)]
+#[command(name = "parsim2d", version, after_help = EXAMPLES)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    subcommand_precedence_over_arg = true
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    run: run::RunArguments,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a simulation; the same as no subcommand
+    #[command(after_help = EXAMPLES)]
+    Run(Box<run::RunArguments>),
+    /// List the presets and their numbers
+    Presets,
+}
+
+/// Why a command did not do its work.
+#[derive(Debug, thiserror::Error)]
+enum Failure {
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    #[error("writing to standard output failed: {0}")]
+    Stdout(#[from] io::Error),
+}
+
+impl Failure {
+    fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Scenario(_) | Self::Output(OutputError::Create { .. }) => ExitCode::from(2),
+            Self::Output(OutputError::Write { .. }) | Self::Stdout(_) => ExitCode::FAILURE,
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! `parsim2d run`: place the discs, step, write, report.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use rand::TryRng;
+
+use super::Failure;
+use super::watch::Watch;
+use crate::analysis::energy::MechanicalEnergy;
+use crate::output::recorder::Recorder;
+use crate::output::summary::Summary;
+use crate::scenario::settings::Settings;
+use crate::scenario::{Scenario, file, notes};
+use crate::simulation::{Simulation, time_step};
+
+#[derive(Args)]
+pub(super) struct RunArguments {
+    /// Scenario file (TOML); flags override it
+    #[arg(value_name = "SCENARIO.toml")]
+    scenario: Option<PathBuf>,
+    /// Print every choice of the run as a scenario file, and do not run
+    #[arg(long, help_heading = "Output")]
+    print_config: bool,
+    #[command(flatten)]
+    settings: Settings,
+}
+
+pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
+    let scenario = scenario(arguments)?;
+    if arguments.print_config {
+        io::stdout().write_all(scenario.to_toml().as_bytes())?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let mut simulation = scenario.build()?;
+    let mut recorder = Recorder::create(&scenario.output_plan(), &mut simulation)?;
+    say_notes(&scenario, &simulation);
+    let start = MechanicalEnergy::of(&simulation).total();
+
+    let interrupted = interrupt_flag();
+    let stop = || interrupted.load(Ordering::Relaxed);
+    let output = &scenario.output;
+    let quiet = output.quiet;
+    let mut watch = Watch::start(&simulation, scenario.steps(), output.slowdown, quiet);
+    let end = scenario.steps();
+    while simulation.steps() < end && !stop() {
+        let until = recorder
+            .next_due()
+            .min(watch.next_look(&simulation))
+            .min(end);
+        watch.step_until(&mut simulation, until);
+        recorder.record_due(&simulation)?;
+        if output.every.is_none() {
+            watch.refresh_if_due(|| recorder.refresh_live(&simulation))?;
+        }
+        watch.keep_pace(&simulation, stop);
+    }
+    recorder.finish(&simulation)?;
+    watch.finish();
+
+    report(&scenario, &summary(&scenario, &simulation, start, &watch))?;
+    Ok(ExitCode::from(if simulation.steps() < end {
+        130
+    } else {
+        0
+    }))
+}
+
+/// Flags over file over preset.
+fn scenario(arguments: &RunArguments) -> Result<Scenario, Failure> {
+    let said = match &arguments.scenario {
+        Some(path) => arguments.settings.clone().over(file::read(path)?),
+        None => arguments.settings.clone(),
+    };
+    Ok(Scenario::resolve(&said, drawn_seed)?)
+}
+
+/// A seed from the operating system, short enough to type.
+fn drawn_seed() -> u64 {
+    let drawn = rand::rngs::SysRng.try_next_u32();
+    // Without the system's random numbers any seed will do: it is printed.
+    u64::from(drawn.unwrap_or_else(|_| std::process::id()))
+}
+
+fn say_notes(scenario: &Scenario, simulation: &Simulation) {
+    if !scenario.output.quiet {
+        for note in scenario.notes(simulation.particles()) {
+            let _ = writeln!(io::stderr(), "note: {note}"); // a closed stderr is no failure
+        }
+    }
+}
+
+/// A flag that Ctrl-C and SIGTERM raise; pressed twice, the program ends at once.
+fn interrupt_flag() -> Arc<AtomicBool> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let raised = Arc::clone(&flag);
+    // Without a handler Ctrl-C ends the program at once, which is all that is lost.
+    let _ = ctrlc::set_handler(move || {
+        if raised.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    flag
+}
+
+fn summary(scenario: &Scenario, simulation: &Simulation, start: f64, watch: &Watch) -> Summary {
+    let n = simulation.particles().len();
+    let particle_steps = n as f64 * simulation.steps() as f64;
+    let (lightest, _) = scenario.mass_range();
+    Summary {
+        version: env!("CARGO_PKG_VERSION"),
+        seed: scenario.seed,
+        n,
+        preset: scenario.preset.name(),
+        integrator: scenario.integrator.name(),
+        dt_s: simulation.dt(),
+        dt_set_by: scenario.dt_set_by.name(),
+        steps_per_contact: time_step(lightest, scenario.stiffness, 1.0) / simulation.dt(),
+        steps: simulation.steps(),
+        time_s: simulation.time(),
+        wall_s: watch.wall_time(),
+        threads: 1,
+        particle_steps_per_s: particle_steps / watch.stepping_time().max(1e-9),
+        energy_start_J: start,
+        energy_end_J: MechanicalEnergy::of(simulation).total(),
+        dissipated_J: simulation.works().map(|works| 0.0 - works.dashpot.value()),
+        max_overlap_over_r: simulation.largest_overlap(),
+        state_hash: format!("{:016x}", simulation.state_hash()),
+        interrupted: simulation.steps() < scenario.steps(),
+    }
+}
+
+fn report(scenario: &Scenario, summary: &Summary) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    if scenario.output.json {
+        summary.write_json(&mut out)?;
+    } else if !scenario.output.quiet {
+        let overlap = summary.max_overlap_over_r;
+        let cure = (overlap > notes::SOFT).then(|| scenario.cure_for_softness(overlap));
+        summary.write_text(&mut out, cure.as_deref())?;
+    }
+    out.flush()
+}

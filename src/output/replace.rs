@@ -1,0 +1,95 @@
+//! Files that appear whole: written under a temporary name in the same folder, then renamed, so
+//! that a reader never sees half of one.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::OutputError;
+
+/// A new file under its temporary name.
+pub struct NewFile {
+    path: PathBuf,
+    file: Option<File>,
+}
+
+impl NewFile {
+    /// Creates the temporary file beside `path`. Whatever is at `path` stays as it is until
+    /// [`take_place`](Self::take_place).
+    pub fn create(path: &Path) -> Result<Self, OutputError> {
+        let refuse = |source| OutputError::Create {
+            path: path.to_owned(),
+            source,
+        };
+        if path.is_dir() {
+            return Err(refuse(io::Error::from(io::ErrorKind::IsADirectory)));
+        }
+        let file = File::create(temporary(path)).map_err(refuse)?;
+        Ok(Self {
+            path: path.to_owned(),
+            file: Some(file),
+        })
+    }
+
+    /// Gives the file its name; it stays open for writing.
+    pub fn take_place(mut self) -> Result<File, OutputError> {
+        let file = self.file.take().expect("taken once, by value");
+        rename(&self.path).map_err(|source| {
+            let _ = fs::remove_file(temporary(&self.path)); // it has no other use
+            OutputError::Create {
+                path: self.path.clone(),
+                source,
+            }
+        })?;
+        Ok(file)
+    }
+}
+
+impl Drop for NewFile {
+    fn drop(&mut self) {
+        if self.file.is_some() {
+            let _ = fs::remove_file(temporary(&self.path)); // never took its place
+        }
+    }
+}
+
+/// Replaces the file at `path` by what `write` writes.
+pub fn replace(
+    path: &Path,
+    write: impl FnOnce(&mut io::BufWriter<File>) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    let whole = || {
+        let mut out = io::BufWriter::new(File::create(temporary(path))?);
+        write(&mut out)?;
+        out.into_inner().map_err(io::IntoInnerError::into_error)?;
+        rename(path)
+    };
+    whole().map_err(|source| {
+        let _ = fs::remove_file(temporary(path)); // half a file helps nobody
+        OutputError::Write {
+            path: path.to_owned(),
+            source,
+        }
+    })
+}
+
+fn temporary(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".tmp");
+    path.with_file_name(name)
+}
+
+/// Renames the temporary file to `path`. Windows refuses while another program has `path` open,
+/// gnuplot for a moment at each redraw: wait and try again.
+fn rename(path: &Path) -> io::Result<()> {
+    let mut tries_left = if cfg!(windows) { 20 } else { 0 };
+    loop {
+        match fs::rename(temporary(path), path) {
+            Err(error) if tries_left > 0 && error.kind() == io::ErrorKind::PermissionDenied => {
+                tries_left -= 1;
+                std::thread::sleep(std::time::Duration::from_millis(10));
+            }
+            done => return done,
+        }
+    }
+}

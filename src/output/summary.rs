@@ -1,0 +1,122 @@
+//! The summary of a run: a few lines for a person, or one JSON object for a machine.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+/// What a finished run says of itself; the fields are the keys of `--json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case)] // a key's name ends with its unit
+pub struct Summary {
+    /// Version of the program.
+    pub version: &'static str,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// Number of discs.
+    pub n: usize,
+    /// Preset the run started from.
+    pub preset: &'static str,
+    /// Time integrator.
+    pub integrator: &'static str,
+    /// Time step, s.
+    pub dt_s: f64,
+    /// What set it: nt, dt, auto or preset.
+    pub dt_set_by: &'static str,
+    /// Steps in a wall contact, pi sqrt(m / k_n) / dt.
+    pub steps_per_contact: f64,
+    /// Steps done.
+    pub steps: u64,
+    /// Simulated time, s.
+    pub time_s: f64,
+    /// Wall time, s.
+    pub wall_s: f64,
+    /// Threads.
+    pub threads: usize,
+    /// Speed of the stepping with its ledger, without the writing of files.
+    pub particle_steps_per_s: f64,
+    /// Mechanical energy at the start, J.
+    pub energy_start_J: f64,
+    /// Mechanical energy at the end, J.
+    pub energy_end_J: f64,
+    /// Energy the dashpots took, J; absent without the ledger.
+    pub dissipated_J: Option<f64>,
+    /// Largest overlap of the run over the (smaller) radius.
+    pub max_overlap_over_r: f64,
+    /// Fingerprint of the final state, 16 hexadecimal digits.
+    pub state_hash: String,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+impl Summary {
+    /// Writes the summary as one JSON object on one line.
+    pub fn write_json(&self, out: &mut impl Write) -> io::Result<()> {
+        serde_json::to_writer(&mut *out, self)?;
+        writeln!(out)
+    }
+
+    /// Writes the summary for a person. `cure` says what brings large overlaps down.
+    pub fn write_text(&self, out: &mut impl Write, cure: Option<&str>) -> io::Result<()> {
+        let Self {
+            seed,
+            n,
+            preset,
+            integrator,
+            dt_s,
+            steps,
+            time_s,
+            wall_s,
+            ..
+        } = self;
+        let set_by = match self.dt_set_by {
+            "dt" => "set by --dt".to_owned(),
+            "auto" => "set by --dt auto".to_owned(),
+            "nt" => format!(
+                "Eq. (2), N_t = {:.6} set by --nt",
+                Short(self.steps_per_contact)
+            ),
+            _ => format!(
+                "Eq. (2), N_t = {:.6} set by the preset",
+                Short(self.steps_per_contact)
+            ),
+        };
+        let stopped = if self.interrupted {
+            ", interrupted"
+        } else {
+            ""
+        };
+        writeln!(out, "n        {n} discs, preset {preset}, seed {seed}")?;
+        writeln!(out, "dt       {dt_s:.4e} s ({set_by}), {integrator}")?;
+        writeln!(out, "run      {steps} steps to t = {time_s:.6} s{stopped}")?;
+        writeln!(
+            out,
+            "speed    {wall_s:.2} s wall time, {:.3} million particle-steps/s",
+            1e-6 * self.particle_steps_per_s
+        )?;
+        write!(
+            out,
+            "energy   {:.6e} J at start, {:.6e} J at end",
+            self.energy_start_J, self.energy_end_J
+        )?;
+        match self.dissipated_J {
+            Some(dissipated) => writeln!(out, ", {dissipated:.6e} J dissipated")?,
+            None => writeln!(out)?,
+        }
+        write!(out, "overlap  at most {:.3} r", self.max_overlap_over_r)?;
+        match cure {
+            Some(cure) => writeln!(out, ": more than half a radius, discs too soft; {cure}")?,
+            None => writeln!(out)?,
+        }
+        writeln!(out, "state    {}", self.state_hash)
+    }
+}
+
+/// A number without needless decimals.
+struct Short(f64);
+
+impl std::fmt::Display for Short {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let rounded = (self.0 * 1e6).round() / 1e6;
+        write!(f, "{rounded}")
+    }
+}

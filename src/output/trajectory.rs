@@ -1,0 +1,62 @@
+//! `trajectory.txt`: many frames, `x y r vx vy`, two blank lines between them.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+
+use super::OutputError;
+use super::frames::{Columns, write_frame};
+use crate::simulation::Simulation;
+
+/// More bytes than this, and the default interval between frames grows.
+const MOST_BYTES: u64 = 500_000_000;
+/// A row has five numbers of nine digits and their signs, dots and exponents.
+const BYTES_PER_ROW: u64 = 70;
+
+/// Steps between frames if none were asked for: about 200 frames in a run of `n` discs and
+/// `steps` steps, fewer if the file would pass 500 MB.
+///
+/// ```
+/// use parsim2d::output::trajectory::default_every;
+/// assert_eq!(default_every(20, 112_540), 563);
+/// assert_eq!(default_every(1_000_000, 1000), 143); // 7 frames of 70 MB
+/// ```
+pub fn default_every(n: usize, steps: u64) -> u64 {
+    let most_frames = (MOST_BYTES / (BYTES_PER_ROW * n.max(1) as u64)).clamp(1, 200);
+    steps.div_ceil(most_frames).max(1)
+}
+
+/// The frames of a run, appended one by one.
+pub struct Trajectory {
+    path: PathBuf,
+    out: BufWriter<File>,
+    side: f64, // m
+    frames: u64,
+}
+
+impl Trajectory {
+    /// A trajectory that goes to `file`, named `path` in messages; box of `side` (m).
+    pub fn new(file: File, path: PathBuf, side: f64) -> Self {
+        Self {
+            path,
+            out: BufWriter::with_capacity(1 << 16, file),
+            side,
+            frames: 0,
+        }
+    }
+
+    /// Appends the present state.
+    pub fn append(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+        let gap = if self.frames > 0 { "\n\n" } else { "" };
+        self.frames += 1;
+        let columns = Columns::PositionsAndVelocities;
+        self.out
+            .write_all(gap.as_bytes())
+            .and_then(|()| write_frame(&mut self.out, simulation, self.side, columns))
+            .and_then(|()| self.out.flush())
+            .map_err(|source| OutputError::Write {
+                path: self.path.clone(),
+                source,
+            })
+    }
+}

@@ -1,0 +1,305 @@
+//! A scenario: every choice of a run with its default, unit and check, and the building of a
+//! [`Simulation`] from it. The one place that knows all the rooms of the physics.
+//!
+//! Values come in layers: preset, then scenario file, then flags.
+
+pub mod error;
+pub mod file;
+pub mod notes;
+pub mod preset;
+mod printed;
+pub mod quantity;
+mod range;
+pub mod refusal;
+mod resolve;
+pub mod settings;
+mod start;
+
+use std::path::PathBuf;
+
+use glam::DVec2;
+
+use self::error::ScenarioError;
+use self::preset::Preset;
+use self::settings::{IntegratorName, PlacementName};
+use crate::analysis::collision::{ContactEnd, damping_ratio_for};
+use crate::analysis::stability::{self, Limit};
+use crate::force::{Contacts, Force, HalfPlane, Walls};
+use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
+use crate::neighbours::Neighbours;
+use crate::output::recorder::OutputPlan;
+use crate::output::{energy, trajectory};
+use crate::particle::{Damping, Particle, SpringDashpot};
+use crate::simulation::{Simulation, time_step};
+
+/// Every choice of a run, checked. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    /// The set of parameters the run started from.
+    pub preset: Preset,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// Side of the box, m.
+    pub side: f64,
+    /// Radius of discs that do not say their own, m.
+    pub radius: f64,
+    /// Mass of discs that do not say their own, kg.
+    pub mass: f64,
+    /// Gravity, downward, m/s2.
+    pub gravity: f64,
+    /// Normal stiffness k_n, N/m.
+    pub stiffness: f64,
+    /// Damping of contacts.
+    pub damping: DampingChoice,
+    /// Whether contacts may pull as they end.
+    pub tension: bool,
+    /// Whether the box has walls.
+    pub walls: bool,
+    /// How the time step is chosen.
+    pub step: StepChoice,
+    /// Who chose it.
+    pub dt_set_by: DtSetBy,
+    /// Simulated end time, s.
+    pub time: f64,
+    /// Time integrator.
+    pub integrator: IntegratorName,
+    /// Whether an unstable time step is run all the same.
+    pub allow_unstable: bool,
+    /// How random discs are placed.
+    pub placement: PlacementName,
+    /// Rms speed at the start of discs that do not say their own, m/s.
+    pub speed: f64,
+    /// Where the discs come from.
+    pub discs: DiscSource,
+    /// What is written, where and how often.
+    pub output: OutputChoices,
+}
+
+/// How contacts are damped, as said by the user.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DampingChoice {
+    /// eta_n, kg/s.
+    Eta(f64),
+    /// gamma, 1/s, with eta_n = m_eff gamma.
+    Gamma(f64),
+    /// Restitution e of every contact, pair or wall.
+    Restitution(f64),
+}
+
+/// How the time step is chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepChoice {
+    /// Eq. (2) with this N_t.
+    Nt(f64),
+    /// So many seconds.
+    Seconds(f64),
+    /// The fraction [`stability::AUTO`] of the stable limit.
+    Auto,
+}
+
+/// Who chose the time step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DtSetBy {
+    /// `--nt`.
+    Nt,
+    /// `--dt` with a number.
+    Dt,
+    /// `--dt auto`.
+    Auto,
+    /// The preset's N_t.
+    Preset,
+}
+
+impl DtSetBy {
+    /// Its name in the summary.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Nt => "nt",
+            Self::Dt => "dt",
+            Self::Auto => "auto",
+            Self::Preset => "preset",
+        }
+    }
+}
+
+/// Where the discs come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DiscSource {
+    /// n equal discs, placed by the program.
+    Equal(usize),
+    /// Listed discs first, then groups placed by the program around them.
+    Listed(Vec<Particle>, Vec<Population>),
+    /// A frame of a file: the file and frame as said, and the discs read.
+    Frame(String, Vec<Particle>),
+}
+
+/// A group of equal discs placed by the program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Population {
+    /// How many.
+    pub n: usize,
+    /// Radius, m.
+    pub radius: f64,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Rms speed at the start, m/s.
+    pub speed: f64,
+}
+
+/// What is written, where and how often.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutputChoices {
+    /// Folder of the output files.
+    pub folder: PathBuf,
+    /// Steps between frames, if said.
+    pub every: Option<u64>,
+    /// Steps between ledger lines, if said; 0 for none.
+    pub energy_every: Option<u64>,
+    /// Wall seconds for a simulated second, if said.
+    pub slowdown: Option<f64>,
+    /// Whether `out.txt` has the guide's border discs.
+    pub border: bool,
+    /// Summary as JSON.
+    pub json: bool,
+    /// Nothing but errors.
+    pub quiet: bool,
+}
+
+impl Scenario {
+    /// Number of discs.
+    pub fn n(&self) -> usize {
+        match &self.discs {
+            DiscSource::Equal(n) => *n,
+            DiscSource::Listed(listed, groups) => {
+                listed.len() + groups.iter().map(|group| group.n).sum::<usize>()
+            }
+            DiscSource::Frame(_, discs) => discs.len(),
+        }
+    }
+
+    /// Masses of the lightest and the heaviest disc, kg.
+    pub fn mass_range(&self) -> (f64, f64) {
+        match &self.discs {
+            DiscSource::Equal(_) | DiscSource::Frame(..) => (self.mass, self.mass),
+            DiscSource::Listed(listed, groups) => {
+                let masses = listed.iter().map(|disc| disc.mass);
+                masses
+                    .chain(groups.iter().map(|group| group.mass))
+                    .fold((f64::INFINITY, 0.0), |(low, high), m| {
+                        (low.min(m), high.max(m))
+                    })
+            }
+        }
+    }
+
+    /// Radii of the smallest and the largest disc, m.
+    pub fn radius_range(&self) -> (f64, f64) {
+        let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
+            DiscSource::Equal(_) => return (self.radius, self.radius),
+            DiscSource::Listed(listed, groups) => (listed, groups),
+            DiscSource::Frame(_, discs) => (discs, &[]),
+        };
+        let radii = listed.iter().map(|disc| disc.radius);
+        radii
+            .chain(groups.iter().map(|group| group.radius))
+            .fold((f64::INFINITY, 0.0), |(low, high), r| {
+                (low.min(r), high.max(r))
+            })
+    }
+
+    /// The contact law, the same for pairs and walls.
+    pub fn law(&self) -> SpringDashpot {
+        SpringDashpot {
+            stiffness: self.stiffness,
+            damping: match self.damping {
+                DampingChoice::Eta(eta) => Damping::Coefficient(eta),
+                DampingChoice::Gamma(gamma) => Damping::Rate(gamma),
+                DampingChoice::Restitution(e) => {
+                    Damping::Ratio(damping_ratio_for(e, self.contact_end()))
+                }
+            },
+            tension: self.tension,
+        }
+    }
+
+    /// When a contact ends under this scenario's law.
+    pub fn contact_end(&self) -> ContactEnd {
+        if self.tension {
+            ContactEnd::OverlapZero
+        } else {
+            ContactEnd::ForceZero
+        }
+    }
+
+    /// The stable limit on the time step.
+    pub fn limit(&self) -> Limit {
+        let (lightest, heaviest) = self.mass_range();
+        stability::limit(&self.law(), self.n(), lightest, heaviest)
+    }
+
+    /// The time step, s. Eq. (2) takes the lightest disc's mass.
+    pub fn dt(&self) -> f64 {
+        match self.step {
+            StepChoice::Nt(nt) => time_step(self.mass_range().0, self.stiffness, nt),
+            StepChoice::Seconds(dt) => dt,
+            StepChoice::Auto => stability::AUTO * self.limit().dt,
+        }
+    }
+
+    /// Number of steps: `time / dt`, rounded.
+    pub fn steps(&self) -> u64 {
+        (self.time / self.dt()).round() as u64
+    }
+
+    /// What to write where and how often, with the defaults filled in.
+    pub fn output_plan(&self) -> OutputPlan {
+        let (n, steps, output) = (self.n(), self.steps(), &self.output);
+        let frame_every = output
+            .every
+            .unwrap_or_else(|| trajectory::default_every(n, steps));
+        OutputPlan {
+            folder: output.folder.clone(),
+            frame_every,
+            live_follows_frames: output.every.is_some(),
+            energy_every: output
+                .energy_every
+                .unwrap_or_else(|| energy::default_every(steps)),
+            side: self.side,
+            border: output.border.then_some(self.radius),
+        }
+    }
+
+    /// Gravity as a vector, m/s2.
+    pub fn gravity_vector(&self) -> DVec2 {
+        DVec2::new(0.0, -self.gravity)
+    }
+
+    /// Places the discs and puts the simulation together, at t = 0.
+    pub fn build(&self) -> Result<Simulation, ScenarioError> {
+        let particles = self.place()?;
+        let law = self.law();
+        let mut forces: Vec<Box<dyn Force>> = Vec::new();
+        if self.walls {
+            forces.push(Box::new(Walls {
+                law,
+                planes: HalfPlane::square(self.side).to_vec(),
+            }));
+        }
+        forces.push(Box::new(Contacts {
+            law,
+            neighbours: Neighbours::default(),
+        }));
+        let integrator: Box<dyn Integrator> = match self.integrator {
+            IntegratorName::SymplecticEuler => Box::new(SymplecticEuler),
+            IntegratorName::ExplicitEuler => Box::new(ExplicitEuler),
+            IntegratorName::VelocityVerlet => Box::new(VelocityVerlet),
+        };
+        Ok(Simulation::new(
+            particles,
+            self.gravity_vector(),
+            forces,
+            integrator,
+            self.dt(),
+        ))
+    }
+}

@@ -1,0 +1,99 @@
+//! What can be wrong with a scenario, said to the person who wrote it.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::refusal::Refusal;
+use crate::placement::PlacementError;
+
+/// Why a scenario cannot be run. Nothing has been written when this is returned.
+#[derive(Debug, Error)]
+pub enum ScenarioError {
+    /// A value out of its range.
+    #[error("{field} = {value} is not possible: {allowed}\n  way out: {way_out}")]
+    OutOfRange {
+        /// The flag, or the key with its table.
+        field: String,
+        /// The value as read.
+        value: String,
+        /// The allowed range.
+        allowed: String,
+        /// What to do.
+        way_out: String,
+    },
+    /// Two choices that exclude each other.
+    #[error("{one} and {other} exclude each other: {why}\n  way out: leave out one of them")]
+    Conflict {
+        /// The first choice.
+        one: String,
+        /// The second choice.
+        other: String,
+        /// Why.
+        why: String,
+    },
+    /// A scenario file that cannot be read.
+    #[error("cannot read the scenario {}: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// A scenario file with a mistake in it.
+    #[error("{}, line {line}, column {column}: {message}", path.display())]
+    Malformed {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What is wrong there.
+        message: String,
+    },
+    /// A frame file that cannot serve as a start.
+    #[error("cannot start from {}: {why}", path.display())]
+    BadStart {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+    },
+    /// No room for the discs.
+    #[error("{source}\n  way out: {way_out}")]
+    BoxTooFull {
+        /// How far placement came.
+        source: PlacementError,
+        /// What would fit.
+        way_out: String,
+    },
+    /// Discs that overlap too much at the start.
+    #[error("{what} at the start\n  way out: {way_out}")]
+    BadOverlap {
+        /// Who overlaps whom, and by how much.
+        what: String,
+        /// What to do.
+        way_out: String,
+    },
+    /// A time step above the stable limit.
+    #[error("{0}")]
+    Unstable(Refusal),
+}
+
+impl ScenarioError {
+    /// An [`OutOfRange`](Self::OutOfRange) from anything printable.
+    pub fn out_of_range(
+        field: impl Into<String>,
+        value: impl ToString,
+        allowed: impl Into<String>,
+        way_out: impl Into<String>,
+    ) -> Self {
+        Self::OutOfRange {
+            field: field.into(),
+            value: value.to_string(),
+            allowed: allowed.into(),
+            way_out: way_out.into(),
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Plain lines said before a run: what the guide's numbers do, and what would be better.
+
+use super::preset::Preset;
+use super::refusal::round_up;
+use super::settings::{IntegratorName, PlacementName};
+use super::{DampingChoice, DiscSource, Population, Scenario};
+use crate::analysis::collision::{angular_frequency, damping_ratio, largest_overlap, restitution};
+use crate::analysis::stability::{COARSE, explicit_euler_gain};
+use crate::particle::Particle;
+
+/// Overlaps above this many radii are called soft.
+pub const SOFT: f64 = 0.5;
+
+/// Overlap, in radii, that the cure for soft discs aims at.
+const FIRM: f64 = 0.26;
+
+/// `value` rounded up to one digit.
+fn one_digit_up(value: f64) -> f64 {
+    let digit = 10f64.powi(value.log10().floor() as i32);
+    format!("{:.0e}", (value / digit).ceil() * digit)
+        .parse()
+        .unwrap_or(value)
+}
+
+impl Scenario {
+    /// What a person should know before this run starts with `discs`, a sentence each.
+    pub fn notes(&self, discs: &[Particle]) -> Vec<String> {
+        let overlap = self.expected_overlap();
+        let soft = (overlap > SOFT).then(|| {
+            format!(
+                "soft discs: a fall through the box sinks them {overlap:.2} r deep; {}",
+                self.cure_for_softness(overlap)
+            )
+        });
+        [
+            self.note_on_damping(),
+            self.note_on_overdamping(),
+            soft,
+            self.note_on_step(),
+            self.note_on_explicit_euler(),
+            self.note_on_start(discs),
+            self.note_on_lattice(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    /// The deepest overlap, in radii, that a fall through the box or the fastest disc makes at
+    /// a wall.
+    fn expected_overlap(&self) -> f64 {
+        let fall = if self.walls {
+            2.0 * self.gravity.abs() * self.side
+        } else {
+            0.0
+        };
+        let speed = (fall + self.fastest_start().powi(2)).sqrt();
+        let (smallest, _) = self.radius_range();
+        let (_, heaviest) = self.mass_range();
+        let eta = self.law().damping.coefficient(self.stiffness, heaviest);
+        let zeta = damping_ratio(eta, self.stiffness, heaviest);
+        largest_overlap(speed, zeta, self.stiffness, heaviest) / smallest
+    }
+
+    /// The largest speed at the start, m/s.
+    fn fastest_start(&self) -> f64 {
+        let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
+            DiscSource::Equal(_) => (&[], &[]),
+            DiscSource::Listed(listed, groups) => (listed, groups),
+            DiscSource::Frame(_, discs) => (discs, &[]),
+        };
+        let listed = listed.iter().map(|disc| disc.velocity.length());
+        listed
+            .chain(groups.iter().map(|group| group.speed))
+            .fold(self.speed, f64::max)
+    }
+
+    /// Flags that bring overlaps of `overlap` radii down: a radius that suits the fall, if that
+    /// many discs of it fit, and a stiffness that suits what was measured.
+    pub fn cure_for_softness(&self, overlap: f64) -> String {
+        let kn = round_up(self.stiffness * (overlap / FIRM).powi(2) / 1.03);
+        let radius = one_digit_up(self.radius * self.expected_overlap() / FIRM);
+        let area = std::f64::consts::PI * radius * radius * self.n() as f64;
+        let fits = area < 0.5 * self.side * self.side;
+        match &self.discs {
+            DiscSource::Equal(_) if fits && radius > self.radius => {
+                format!("try --radius {radius:e} or --kn {kn:e}")
+            }
+            _ => format!("try --kn {kn:e}"),
+        }
+    }
+
+    fn note_on_damping(&self) -> Option<String> {
+        let printed = "the guide prints eta_n = 1.5e3";
+        let unchanged = self.damping == self.preset.values().damping;
+        match (self.preset, self.damping) {
+            (Preset::Guide | Preset::GuideListing, _) if unchanged => Some(format!(
+                "eta_n = 1.5e-3 kg/s ({printed}, 150 times critical damping, which no step of \
+                 Eq. (2) can follow: README, trap 1)"
+            )),
+            (Preset::GuidePrinted, _) if unchanged => Some(format!(
+                "{printed}, taken as kg/s: 150 times critical damping for a pair"
+            )),
+            (Preset::GuideMassScaled, DampingChoice::Gamma(gamma)) if unchanged => {
+                let e = |reduced_mass: f64| {
+                    let eta = gamma * reduced_mass;
+                    let zeta = damping_ratio(eta, self.stiffness, reduced_mass);
+                    restitution(zeta, self.contact_end())
+                };
+                Some(format!(
+                    "{printed}, taken as a rate: eta_n = m_eff gamma, restitution {:.3} for a pair \
+                     and {:.3} at a wall",
+                    e(0.5 * self.mass),
+                    e(self.mass)
+                ))
+            }
+            _ => None,
+        }
+    }
+
+    fn note_on_overdamping(&self) -> Option<String> {
+        let (lightest, _) = self.mass_range();
+        let reduced_mass = if self.n() > 1 {
+            0.5 * lightest
+        } else {
+            lightest
+        };
+        let eta = self.law().damping.coefficient(self.stiffness, reduced_mass);
+        let zeta = damping_ratio(eta, self.stiffness, reduced_mass);
+        (zeta >= 1.0 && self.tension).then(|| {
+            format!(
+                "zeta = {zeta:.3}: at zeta >= 1 discs that touch never separate on their own; \
+                 --no-tension lets them"
+            )
+        })
+    }
+
+    fn note_on_step(&self) -> Option<String> {
+        if self.integrator == IntegratorName::ExplicitEuler && self.refusal().is_none() {
+            return None;
+        }
+        let limit = self.limit();
+        let fraction = self.dt() / limit.dt;
+        if fraction > 1.0 {
+            return Some(format!(
+                "unstable on purpose: dt = {:.3e} s is {fraction:.3} times the largest stable step \
+                 for {}",
+                self.dt(),
+                limit.by
+            ));
+        }
+        (fraction > COARSE).then(|| {
+            format!(
+                "coarse: dt = {:.3e} s is {fraction:.2} of the largest stable step for {}; a \
+                 crowded box will heat up. --dt auto is finer",
+                self.dt(),
+                limit.by
+            )
+        })
+    }
+
+    fn note_on_explicit_euler(&self) -> Option<String> {
+        (self.integrator == IntegratorName::ExplicitEuler).then(|| {
+            let (lightest, _) = self.mass_range();
+            let gain = |reduced_mass| {
+                let omega = angular_frequency(self.stiffness, reduced_mass);
+                100.0 * (explicit_euler_gain(omega, self.dt()) - 1.0)
+            };
+            format!(
+                "explicit-euler gains energy: about {:.3} % at an elastic wall bounce, {:.3} % when \
+                 two discs collide. --integrator symplectic-euler does not",
+                gain(lightest),
+                gain(0.5 * lightest)
+            )
+        })
+    }
+
+    fn note_on_start(&self, discs: &[Particle]) -> Option<String> {
+        if matches!(self.discs, DiscSource::Equal(_)) {
+            return None;
+        }
+        let overlaps = self.overlaps(discs);
+        let deepest = overlaps
+            .iter()
+            .max_by(|a, b| a.relative.total_cmp(&b.relative))?;
+        // Touching discs that rounding made overlap by a hair are nothing to tell.
+        (deepest.relative > 1e-6).then(|| {
+            let other = deepest
+                .other
+                .map_or("a wall".to_owned(), |other| format!("disc {other}"));
+            format!(
+                "{} overlaps at the start; the deepest, disc {} and {other}, is {:.3} r",
+                overlaps.len(),
+                deepest.disc,
+                deepest.relative
+            )
+        })
+    }
+
+    fn note_on_lattice(&self) -> Option<String> {
+        let listed = matches!(&self.discs, DiscSource::Listed(listed, groups)
+            if !listed.is_empty() && !groups.is_empty());
+        (listed && self.placement == PlacementName::Lattice).then(|| {
+            "--placement lattice is for boxes without listed discs: placed at random".to_owned()
+        })
+    }
+}

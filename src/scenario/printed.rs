@@ -1,0 +1,125 @@
+//! A scenario written back as TOML: what `--print-config` prints.
+
+use std::fmt::{self, Write};
+
+use super::{DampingChoice, DiscSource, DtSetBy, Scenario, StepChoice};
+
+impl Scenario {
+    /// The whole scenario as a file that reproduces the run, with units in comments.
+    pub fn to_toml(&self) -> String {
+        let mut text = String::new();
+        self.write_toml(&mut text)
+            .expect("writing to a string does not fail");
+        text
+    }
+
+    fn write_toml(&self, out: &mut String) -> fmt::Result {
+        writeln!(
+            out,
+            "# parsim2d {}: every choice of this run",
+            env!("CARGO_PKG_VERSION")
+        )?;
+        writeln!(out, "preset = \"{}\"", self.preset.name())?;
+        if let DiscSource::Equal(n) = self.discs {
+            writeln!(out, "n = {n}")?;
+        }
+        writeln!(out, "seed = {}", self.seed)?;
+        self.write_physics(out)?;
+        self.write_time(out)?;
+        self.write_start(out)?;
+        self.write_output(out)?;
+        self.write_tables(out)
+    }
+
+    fn write_physics(&self, out: &mut String) -> fmt::Result {
+        writeln!(out, "\nside = {:?} # m", self.side)?;
+        if !matches!(self.discs, DiscSource::Frame(..)) {
+            writeln!(out, "radius = {:?} # m", self.radius)?;
+        }
+        writeln!(out, "mass = {:?} # kg", self.mass)?;
+        writeln!(out, "gravity = {:?} # m/s2, downward", self.gravity)?;
+        writeln!(out, "kn = {:?} # N/m", self.stiffness)?;
+        match self.damping {
+            DampingChoice::Eta(eta) => writeln!(out, "eta = {eta:?} # kg/s")?,
+            DampingChoice::Gamma(gamma) => writeln!(out, "gamma = {gamma:?} # 1/s")?,
+            DampingChoice::Restitution(e) => writeln!(out, "restitution = {e:?}")?,
+        }
+        writeln!(out, "no_tension = {}", !self.tension)?;
+        writeln!(out, "walls = {}", self.walls)
+    }
+
+    fn write_time(&self, out: &mut String) -> fmt::Result {
+        writeln!(out)?;
+        match (self.step, self.dt_set_by) {
+            // Said by the preset, and left to it, so that the run knows who set its time step.
+            (StepChoice::Nt(nt), DtSetBy::Preset) => writeln!(out, "# nt = {nt:?}, by the preset")?,
+            (StepChoice::Nt(nt), _) => writeln!(out, "nt = {nt:?}")?,
+            (StepChoice::Seconds(dt), _) => writeln!(out, "dt = {dt:?} # s")?,
+            (StepChoice::Auto, _) => writeln!(out, "dt = \"auto\"")?,
+        }
+        writeln!(out, "# dt is {:?} s", self.dt())?;
+        writeln!(out, "time = {:?} # s", self.time)?;
+        writeln!(out, "integrator = \"{}\"", self.integrator.name())?;
+        writeln!(out, "allow_unstable = {}", self.allow_unstable)
+    }
+
+    fn write_start(&self, out: &mut String) -> fmt::Result {
+        writeln!(out)?;
+        if let DiscSource::Frame(said, discs) = &self.discs {
+            writeln!(out, "start = {}", quoted(said))?;
+            if discs.iter().any(|disc| disc.velocity != glam::DVec2::ZERO) {
+                return Ok(());
+            }
+        } else {
+            writeln!(out, "placement = \"{}\"", self.placement.name())?;
+        }
+        writeln!(out, "speed = {:?} # m/s", self.speed)
+    }
+
+    fn write_output(&self, out: &mut String) -> fmt::Result {
+        let output = &self.output;
+        writeln!(
+            out,
+            "\nout_dir = {}",
+            quoted(&output.folder.to_string_lossy())
+        )?;
+        if let Some(every) = output.every {
+            writeln!(out, "every = {every} # steps")?;
+        }
+        if let Some(every) = output.energy_every {
+            writeln!(out, "energy_every = {every} # steps")?;
+        }
+        if let Some(slowdown) = output.slowdown {
+            writeln!(out, "slowdown = {slowdown:?}")?;
+        }
+        writeln!(out, "border = {}", output.border)?;
+        writeln!(out, "json = {}", output.json)?;
+        writeln!(out, "quiet = {}", output.quiet)
+    }
+
+    fn write_tables(&self, out: &mut String) -> fmt::Result {
+        let DiscSource::Listed(listed, groups) = &self.discs else {
+            return Ok(());
+        };
+        for disc in listed {
+            let (p, v) = (disc.position, disc.velocity);
+            writeln!(out, "\n[[disc]]")?;
+            writeln!(out, "position = [{:?}, {:?}] # m", p.x, p.y)?;
+            writeln!(out, "velocity = [{:?}, {:?}] # m/s", v.x, v.y)?;
+            writeln!(out, "radius = {:?} # m", disc.radius)?;
+            writeln!(out, "mass = {:?} # kg", disc.mass)?;
+        }
+        for group in groups {
+            writeln!(out, "\n[[population]]")?;
+            writeln!(out, "n = {}", group.n)?;
+            writeln!(out, "radius = {:?} # m", group.radius)?;
+            writeln!(out, "mass = {:?} # kg", group.mass)?;
+            writeln!(out, "speed = {:?} # m/s", group.speed)?;
+        }
+        Ok(())
+    }
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}

@@ -1,0 +1,136 @@
+//! Numbers with an optional unit, on the command line and in scenario files: `0.04`, `4cm`.
+
+use std::fmt;
+use std::marker::PhantomData;
+use std::str::FromStr;
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, Visitor};
+
+/// A kind of quantity: its SI unit and the suffixes it understands, each with its size in SI.
+pub trait Dimension {
+    /// Suffixes, SI unit first.
+    const SUFFIXES: &'static [(&'static str, f64)];
+}
+
+/// Declares dimensions in one table.
+macro_rules! dimensions {
+    ($($(#[$doc:meta])* $name:ident: $($suffix:literal = $size:literal),+;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name;
+        impl Dimension for $name {
+            const SUFFIXES: &'static [(&'static str, f64)] = &[$(($suffix, $size)),+];
+        }
+    )+};
+}
+
+dimensions! {
+    /// A length.
+    Length: "m" = 1.0, "cm" = 1e-2, "mm" = 1e-3, "um" = 1e-6;
+    /// A mass.
+    Mass: "kg" = 1.0, "g" = 1e-3, "mg" = 1e-6;
+    /// A time.
+    Time: "s" = 1.0, "ms" = 1e-3, "us" = 1e-6, "ns" = 1e-9, "min" = 60.0;
+    /// A speed.
+    Speed: "m/s" = 1.0, "cm/s" = 1e-2, "mm/s" = 1e-3;
+    /// An acceleration.
+    Acceleration: "m/s2" = 1.0, "m/s^2" = 1.0;
+    /// A stiffness.
+    Stiffness: "N/m" = 1.0, "kN/m" = 1e3;
+    /// A damping coefficient.
+    Coefficient: "kg/s" = 1.0, "g/s" = 1e-3;
+    /// A rate.
+    Rate: "1/s" = 1.0;
+    /// A plain number.
+    Number: "" = 1.0;
+}
+
+/// A number of dimension `D`, held in SI units.
+///
+/// ```
+/// use parsim2d::scenario::quantity::{Length, Quantity};
+/// let side: Quantity<Length> = "4cm".parse().unwrap();
+/// assert_eq!(side.si, 0.04); // m
+/// assert!("4 parsecs".parse::<Quantity<Length>>().is_err());
+/// ```
+#[derive(Debug, PartialEq)]
+pub struct Quantity<D> {
+    /// The value in SI units.
+    pub si: f64,
+    dimension: PhantomData<D>,
+}
+
+impl<D> Clone for Quantity<D> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<D> Copy for Quantity<D> {}
+
+impl<D> From<f64> for Quantity<D> {
+    fn from(si: f64) -> Self {
+        Self {
+            si,
+            dimension: PhantomData,
+        }
+    }
+}
+
+impl<D: Dimension> FromStr for Quantity<D> {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        // The longest suffix that leaves a number: "5mm" is not 5m of m, "inf" and "1e3" stay whole.
+        let mut readings = D::SUFFIXES.iter().filter_map(|&(suffix, size)| {
+            let number: f64 = text.strip_suffix(suffix)?.trim_end().parse().ok()?;
+            Some(if size < 1.0 {
+                number / (1.0 / size).round()
+            } else {
+                number * size
+            })
+        });
+        if let Some(si) = text.parse().ok().or_else(|| readings.next()) {
+            return Ok(Self::from(si));
+        }
+        let suffixes: Vec<&str> = D::SUFFIXES.iter().map(|&(suffix, _)| suffix).collect();
+        Err(match suffixes.as_slice() {
+            [""] => "not a number".to_owned(),
+            [only] => format!("not a number (in {only})"),
+            [si, ..] => format!(
+                "not a number (in {si}, or with one of: {})",
+                suffixes.join(", ")
+            ),
+            [] => unreachable!("every dimension has an SI unit"),
+        })
+    }
+}
+
+impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        struct Reader<D>(PhantomData<D>);
+        impl<D: Dimension> Visitor<'_> for Reader<D> {
+            type Value = Quantity<D>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let (unit, _) = D::SUFFIXES[0];
+                match unit {
+                    "" => f.write_str("a number"),
+                    _ => write!(f, "a number in {unit}, or a string with a unit"),
+                }
+            }
+            fn visit_f64<E: Error>(self, si: f64) -> Result<Self::Value, E> {
+                Ok(si.into())
+            }
+            fn visit_i64<E: Error>(self, si: i64) -> Result<Self::Value, E> {
+                Ok((si as f64).into())
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
+                text.parse()
+                    .map_err(|why| E::custom(format!("`{text}` is {why}")))
+            }
+        }
+        deserializer.deserialize_any(Reader(PhantomData))
+    }
+}

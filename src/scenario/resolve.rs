@@ -1,0 +1,341 @@
+//! From what was said to a checked scenario.
+
+use super::error::ScenarioError;
+use super::range::{finite, not_negative, positive, radius_in, whole};
+use super::settings::{DiscSettings, DtSetting, PopulationSettings, Settings};
+use super::start;
+use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Population, Scenario, StepChoice};
+use crate::particle::Particle;
+use glam::DVec2;
+
+/// More discs than this do not fit the memory of a machine of today (250 bytes each).
+const MOST_DISCS: i64 = 100_000_000;
+
+impl Scenario {
+    /// Fills in what `settings` leave open from the preset and checks everything that can be
+    /// checked before the discs are placed. `draw_seed` is asked for a seed if none was said.
+    pub fn resolve(
+        settings: &Settings,
+        draw_seed: impl FnOnce() -> u64,
+    ) -> Result<Self, ScenarioError> {
+        exclusive_choices(settings)?;
+        let preset = settings.preset.unwrap_or_default();
+        let usual = preset.values();
+        let side = positive(
+            "side",
+            settings.side.map_or(usual.side, |q| q.si),
+            "--side 4cm",
+        )?;
+        let radius = settings.radius.map_or(usual.radius, |q| q.si);
+        let radius = radius_in(side, "radius", radius, settings.walls())?;
+        let mass = positive(
+            "mass",
+            settings.mass.map_or(usual.mass, |q| q.si),
+            "--mass 1g",
+        )?;
+        let speed = not_negative("speed", settings.speed.map_or(0.0, |q| q.si), "--speed 0.1")?;
+        let (step, dt_set_by) = step_choice(settings, usual.step)?;
+        let seed = match settings.seed {
+            Some(seed) => whole("seed", seed, 0..=i64::MAX, "--seed 1")?,
+            None => draw_seed(),
+        };
+        let mut scenario = Self {
+            preset,
+            seed,
+            side,
+            radius,
+            mass,
+            gravity: finite("gravity", settings.gravity.map_or(usual.gravity, |q| q.si))?,
+            stiffness: positive(
+                "kn",
+                settings.kn.map_or(usual.stiffness, |q| q.si),
+                "--kn 5e4",
+            )?,
+            damping: damping_choice(settings, usual.damping)?,
+            tension: !settings.no_tension.unwrap_or(false),
+            walls: settings.walls(),
+            step,
+            dt_set_by,
+            time: not_negative("time", settings.time.map_or(1.0, |q| q.si), "--time 1s")?,
+            integrator: settings.integrator.unwrap_or_default(),
+            allow_unstable: settings.allow_unstable.unwrap_or(false),
+            placement: settings.placement.unwrap_or_default(),
+            speed,
+            discs: DiscSource::Equal(usual.n),
+            output: output_choices(settings)?,
+        };
+        scenario.discs = scenario.disc_source(settings, usual.n)?;
+        scenario.check_clock()?;
+        if let (false, Some(refusal)) = (scenario.allow_unstable, scenario.refusal()) {
+            return Err(ScenarioError::Unstable(refusal));
+        }
+        Ok(scenario)
+    }
+
+    fn disc_source(&self, settings: &Settings, usual: usize) -> Result<DiscSource, ScenarioError> {
+        if let Some(said) = &settings.start {
+            return Ok(DiscSource::Frame(
+                said.clone(),
+                start::read(said, self, settings)?,
+            ));
+        }
+        let (discs, groups) = (&settings.discs, &settings.populations);
+        if discs.is_empty() && groups.is_empty() {
+            let n = settings.n.unwrap_or(usual as i64);
+            return Ok(DiscSource::Equal(
+                whole("n", n, 1..=MOST_DISCS, "-n 20")? as usize
+            ));
+        }
+        let listed = discs
+            .iter()
+            .enumerate()
+            .map(|(k, disc)| self.listed_disc(k, disc));
+        let groups = groups
+            .iter()
+            .enumerate()
+            .map(|(k, group)| self.population(k, group));
+        Ok(DiscSource::Listed(
+            listed.collect::<Result<_, _>>()?,
+            groups.collect::<Result<_, _>>()?,
+        ))
+    }
+
+    fn listed_disc(&self, k: usize, said: &DiscSettings) -> Result<Particle, ScenarioError> {
+        let field = |name: &str| format!("[[disc]] {}: {name}", k + 1);
+        let radius = said.radius.map_or(self.radius, |q| q.si);
+        let radius = radius_in(self.side, &field("radius"), radius, self.walls)?;
+        let mass = positive(
+            &field("mass"),
+            said.mass.map_or(self.mass, |q| q.si),
+            "mass = 1e-3",
+        )?;
+        let [x, y] = said.position.map(|q| q.si);
+        let position = DVec2::new(
+            finite(&field("position[0]"), x)?,
+            finite(&field("position[1]"), y)?,
+        );
+        let mut disc = Particle::at_rest(position, radius, mass);
+        if let Some([vx, vy]) = said.velocity.map(|velocity| velocity.map(|q| q.si)) {
+            disc.velocity = DVec2::new(
+                finite(&field("velocity[0]"), vx)?,
+                finite(&field("velocity[1]"), vy)?,
+            );
+        }
+        Ok(disc)
+    }
+
+    fn population(&self, k: usize, said: &PopulationSettings) -> Result<Population, ScenarioError> {
+        let field = |name: &str| format!("[[population]] {}: {name}", k + 1);
+        let radius = said.radius.map_or(self.radius, |q| q.si);
+        let mass = said.mass.map_or(self.mass, |q| q.si);
+        let speed = said.speed.map_or(self.speed, |q| q.si);
+        Ok(Population {
+            n: whole(&field("n"), said.n, 1..=MOST_DISCS, "n = 20")? as usize,
+            radius: radius_in(self.side, &field("radius"), radius, true)?,
+            mass: positive(&field("mass"), mass, "mass = 1e-3")?,
+            speed: not_negative(&field("speed"), speed, "speed = 0.1")?,
+        })
+    }
+
+    /// The run must have a whole number of steps that can be counted, and at least one unless
+    /// no time at all was asked for.
+    fn check_clock(&self) -> Result<(), ScenarioError> {
+        let (dt, time) = (self.dt(), self.time);
+        if time / dt >= 1e15 {
+            let allowed = format!("at most 1e15 steps of dt = {dt:e} s");
+            return Err(ScenarioError::out_of_range(
+                "time",
+                time,
+                allowed,
+                "a shorter --time",
+            ));
+        }
+        if time > 0.0 && self.steps() == 0 {
+            let allowed = format!("at least one step of dt = {dt:e} s");
+            return Err(ScenarioError::out_of_range(
+                "time",
+                time,
+                allowed,
+                "a longer --time",
+            ));
+        }
+        Ok(())
+    }
+}
+
+impl Settings {
+    fn walls(&self) -> bool {
+        self.walls.unwrap_or(!self.no_walls.unwrap_or(false))
+    }
+}
+
+fn exclusive_choices(settings: &Settings) -> Result<(), ScenarioError> {
+    let random = "the discs' number, size and place";
+    let said = [
+        (
+            "eta",
+            settings.eta.is_some(),
+            "gamma",
+            settings.gamma.is_some(),
+            "the damping",
+        ),
+        (
+            "eta",
+            settings.eta.is_some(),
+            "restitution",
+            settings.restitution.is_some(),
+            "the damping",
+        ),
+        (
+            "gamma",
+            settings.gamma.is_some(),
+            "restitution",
+            settings.restitution.is_some(),
+            "the damping",
+        ),
+        (
+            "nt",
+            settings.nt.is_some(),
+            "dt",
+            settings.dt.is_some(),
+            "the time step",
+        ),
+        (
+            "walls",
+            settings.walls.is_some(),
+            "no_walls",
+            settings.no_walls.is_some(),
+            "the walls",
+        ),
+        (
+            "start",
+            settings.start.is_some(),
+            "n",
+            settings.n.is_some(),
+            random,
+        ),
+        (
+            "start",
+            settings.start.is_some(),
+            "radius",
+            settings.radius.is_some(),
+            random,
+        ),
+        (
+            "start",
+            settings.start.is_some(),
+            "placement",
+            settings.placement.is_some(),
+            random,
+        ),
+        (
+            "start",
+            settings.start.is_some(),
+            "[[disc]]",
+            !settings.discs.is_empty(),
+            random,
+        ),
+        (
+            "start",
+            settings.start.is_some(),
+            "[[population]]",
+            !settings.populations.is_empty(),
+            random,
+        ),
+        (
+            "n",
+            settings.n.is_some(),
+            "[[disc]]",
+            !settings.discs.is_empty(),
+            random,
+        ),
+        (
+            "n",
+            settings.n.is_some(),
+            "[[population]]",
+            !settings.populations.is_empty(),
+            random,
+        ),
+    ];
+    for (one, has_one, other, has_other, what) in said {
+        if has_one && has_other {
+            let why = format!("both say {what}");
+            return Err(ScenarioError::Conflict {
+                one: one.into(),
+                other: other.into(),
+                why,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn damping_choice(
+    settings: &Settings,
+    usual: DampingChoice,
+) -> Result<DampingChoice, ScenarioError> {
+    if let Some(eta) = settings.eta {
+        return Ok(DampingChoice::Eta(not_negative(
+            "eta",
+            eta.si,
+            "--eta 1.5e-3",
+        )?));
+    }
+    if let Some(gamma) = settings.gamma {
+        return Ok(DampingChoice::Gamma(not_negative(
+            "gamma",
+            gamma.si,
+            "--gamma 1.5e3",
+        )?));
+    }
+    match settings.restitution.map(|e| e.si) {
+        None => Ok(usual),
+        Some(e) if e > 0.0 && e <= 1.0 => Ok(DampingChoice::Restitution(e)),
+        Some(e) => Err(ScenarioError::out_of_range(
+            "restitution",
+            e,
+            "must be above 0 and at most 1",
+            "--restitution 0.9 (1 is elastic; for more damping than any e gives, --eta)",
+        )),
+    }
+}
+
+fn step_choice(
+    settings: &Settings,
+    usual: StepChoice,
+) -> Result<(StepChoice, DtSetBy), ScenarioError> {
+    match (settings.nt.map(|nt| nt.si), settings.dt) {
+        (Some(nt), _) if nt >= 1.0 && nt.is_finite() => Ok((StepChoice::Nt(nt), DtSetBy::Nt)),
+        (Some(nt), _) => Err(ScenarioError::out_of_range(
+            "nt",
+            nt,
+            "must be at least 1 step in a contact; the guide says 10 to 50",
+            "--nt 50",
+        )),
+        (None, Some(DtSetting::Auto)) => Ok((StepChoice::Auto, DtSetBy::Auto)),
+        (None, Some(DtSetting::Seconds(dt))) => Ok((
+            StepChoice::Seconds(positive("dt", dt, "--dt auto")?),
+            DtSetBy::Dt,
+        )),
+        (None, None) => Ok((usual, DtSetBy::Preset)),
+    }
+}
+
+fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
+    let steps = |field, said: Option<i64>, least| {
+        said.map(|k| whole(field, k, least..=i64::MAX, "leave it out for the default"))
+            .transpose()
+    };
+    let slowdown = settings
+        .slowdown
+        .map(|x| positive("slowdown", x.si, "--slowdown 10"));
+    Ok(OutputChoices {
+        folder: settings.out_dir.clone().unwrap_or_else(|| ".".into()),
+        every: steps("every", settings.every, 1)?,
+        energy_every: steps("energy_every", settings.energy_every, 0)?,
+        slowdown: slowdown.transpose()?,
+        border: settings.border.unwrap_or(false),
+        json: settings.json.unwrap_or(false),
+        quiet: settings.quiet.unwrap_or(false),
+    })
+}

@@ -1,0 +1,283 @@
+//! What the user may say, as flags or as keys of a scenario file: one struct for both.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use serde::{Deserialize, Serialize};
+
+use super::preset::Preset;
+use super::quantity::{
+    Acceleration, Coefficient, Length, Mass, Number, Quantity, Rate, Speed, Stiffness, Time,
+};
+
+/// Declares the settings once; merges them field by field.
+macro_rules! settings {
+    ($($(#[$attribute:meta])* $name:ident: $kind:ty,)+) => {
+        /// Every choice of a run, where one was made. Flags are `--long-names`, keys the same
+        /// with `_` for `-`.
+        #[derive(Args, Clone, Debug, Default, Deserialize)]
+        #[serde(deny_unknown_fields, default)]
+        pub struct Settings {
+            $($(#[$attribute])* pub $name: Option<$kind>,)+
+            /// Listed discs (scenario files only).
+            #[arg(skip)]
+            #[serde(rename = "disc")]
+            pub discs: Vec<DiscSettings>,
+            /// Groups of random discs (scenario files only).
+            #[arg(skip)]
+            #[serde(rename = "population")]
+            pub populations: Vec<PopulationSettings>,
+        }
+
+        impl Settings {
+            /// These settings, and where they are silent the `other` ones.
+            fn or(self, other: Self) -> Self {
+                Self {
+                    $($name: self.$name.or(other.$name),)+
+                    discs: if self.discs.is_empty() { other.discs } else { self.discs },
+                    populations: if self.populations.is_empty() {
+                        other.populations
+                    } else {
+                        self.populations
+                    },
+                }
+            }
+        }
+    };
+}
+
+settings! {
+    /// Number of discs, n [default: 20]
+    #[arg(short = 'n', long = "n", value_name = "N", allow_negative_numbers = true)]
+    n: i64,
+    /// Seed of the random numbers [default: drawn, and printed]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    seed: i64,
+    /// Set of parameters to start from [default: guide]
+    #[arg(long, value_enum, value_name = "P")]
+    preset: Preset,
+
+    /// Side of the box, l [default: 0.04]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, help_heading = "Physics")]
+    side: Quantity<Length>,
+    /// Radius of a disc, r [default: 1e-4]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, help_heading = "Physics")]
+    radius: Quantity<Length>,
+    /// Mass of a disc, m [default: 1e-3]
+    #[arg(long, value_name = "KG", allow_negative_numbers = true, help_heading = "Physics")]
+    mass: Quantity<Mass>,
+    /// Gravity g, downward [default: 9.81]
+    #[arg(long, value_name = "M/S2", allow_negative_numbers = true, help_heading = "Physics")]
+    gravity: Quantity<Acceleration>,
+    /// Normal stiffness, k_n [default: 5e4]
+    #[arg(long, value_name = "N/M", allow_negative_numbers = true, help_heading = "Physics")]
+    kn: Quantity<Stiffness>,
+    /// Normal damping, eta_n [default: 1.5e-3]
+    #[arg(long, value_name = "KG/S", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(conflicts_with_all = ["gamma", "restitution"])]
+    eta: Quantity<Coefficient>,
+    /// Damping as a rate: eta_n = m_eff gamma
+    #[arg(long, value_name = "1/S", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(conflicts_with = "restitution")]
+    gamma: Quantity<Rate>,
+    /// Damping from the restitution e of every contact, 0 < e <= 1
+    #[arg(long, value_name = "E", allow_negative_numbers = true, help_heading = "Physics")]
+    restitution: Quantity<Number>,
+    /// Clip the contact force at zero: contacts never pull
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", help_heading = "Physics")]
+    no_tension: bool,
+    /// No walls: an open plane
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", help_heading = "Physics", conflicts_with = "walls")]
+    no_walls: bool,
+    /// Walls around the box [default: true]
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", help_heading = "Physics", hide = true)]
+    walls: bool,
+
+    /// Steps in a wall contact, N_t of Eq. (2) [default: 50]
+    #[arg(long, value_name = "N_T", allow_negative_numbers = true, help_heading = "Time")]
+    #[arg(conflicts_with = "dt")]
+    nt: Quantity<Number>,
+    /// Time step itself, or `auto`: 0.08 of the stable limit
+    #[arg(long, value_name = "SECONDS|auto", allow_negative_numbers = true, help_heading = "Time")]
+    dt: DtSetting,
+    /// Simulated time [default: 1]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, help_heading = "Time")]
+    time: Quantity<Time>,
+    /// Time integrator [default: symplectic-euler]
+    #[arg(long, value_enum, value_name = "NAME", help_heading = "Time")]
+    integrator: IntegratorName,
+    /// Run even if the time step is unstable, for the lesson
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", help_heading = "Time")]
+    allow_unstable: bool,
+
+    /// How discs are placed [default: random]
+    #[arg(long, value_enum, value_name = "NAME", help_heading = "Start")]
+    placement: PlacementName,
+    /// Rms speed at the start, in random directions [default: 0]
+    #[arg(long, value_name = "M/S", allow_negative_numbers = true, help_heading = "Start")]
+    speed: Quantity<Speed>,
+    /// Start from a frame file, at its last frame or at frame K (from 0)
+    #[arg(long, value_name = "FILE[:K]", help_heading = "Start")]
+    start: String,
+
+    /// Folder for out.txt, trajectory.txt and energy.csv [default: .]
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    out_dir: PathBuf,
+    /// Steps between frames [default: about 200 frames in a run]
+    #[arg(long, value_name = "STEPS", allow_negative_numbers = true, help_heading = "Output")]
+    every: i64,
+    /// Steps between lines of energy.csv, 0 for none [default: about 2000 lines in a run]
+    #[arg(long, value_name = "STEPS", allow_negative_numbers = true, help_heading = "Output")]
+    energy_every: i64,
+    /// Seconds of wall time for a simulated second, to watch the run [default: full speed]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, help_heading = "Output")]
+    slowdown: Quantity<Number>,
+    /// Add the guide's fictitious border discs to out.txt
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", help_heading = "Output")]
+    border: bool,
+    /// Summary as one JSON object on stdout
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", help_heading = "Output")]
+    json: bool,
+    /// No progress bar, no remarks, no text summary
+    #[arg(short = 'q', long, num_args = 0..=1, default_missing_value = "true")]
+    #[arg(value_name = "BOOL", require_equals = true, help_heading = "Output")]
+    quiet: bool,
+}
+
+impl Settings {
+    /// Flags over file. A damping (or time step) said in a flag replaces any said in the file.
+    pub fn over(self, mut file: Self) -> Self {
+        if self.eta.is_some() || self.gamma.is_some() || self.restitution.is_some() {
+            (file.eta, file.gamma, file.restitution) = (None, None, None);
+        }
+        if self.nt.is_some() || self.dt.is_some() {
+            (file.nt, file.dt) = (None, None);
+        }
+        if self.walls.is_some() || self.no_walls.is_some() {
+            (file.walls, file.no_walls) = (None, None);
+        }
+        self.or(file)
+    }
+}
+
+/// One `[[disc]]`. What is not said is as for all discs; at rest.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DiscSettings {
+    /// Centre.
+    pub position: [Quantity<Length>; 2],
+    /// Velocity.
+    pub velocity: Option<[Quantity<Speed>; 2]>,
+    /// Radius.
+    pub radius: Option<Quantity<Length>>,
+    /// Mass.
+    pub mass: Option<Quantity<Mass>>,
+}
+
+/// One `[[population]]` of discs placed at random. What is not said is as for all discs.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PopulationSettings {
+    /// How many.
+    pub n: i64,
+    /// Radius.
+    pub radius: Option<Quantity<Length>>,
+    /// Mass.
+    pub mass: Option<Quantity<Mass>>,
+    /// Rms speed, in random directions.
+    pub speed: Option<Quantity<Speed>>,
+}
+
+/// A time step in seconds, or `auto`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DtSetting {
+    /// A fixed fraction of the stable limit.
+    Auto,
+    /// So many seconds.
+    Seconds(f64),
+}
+
+impl std::str::FromStr for DtSetting {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.trim() == "auto" {
+            return Ok(Self::Auto);
+        }
+        let seconds: Quantity<Time> = text.parse().map_err(|why| format!("{why}, nor `auto`"))?;
+        Ok(Self::Seconds(seconds.si))
+    }
+}
+
+impl<'de> Deserialize<'de> for DtSetting {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(
+            untagged,
+            expecting = "a number of seconds, a string with a unit, or \"auto\""
+        )]
+        enum Said {
+            Whole(i64),
+            Number(f64),
+            Text(String),
+        }
+        match Said::deserialize(deserializer)? {
+            Said::Whole(seconds) => Ok(Self::Seconds(seconds as f64)),
+            Said::Number(seconds) => Ok(Self::Seconds(seconds)),
+            Said::Text(text) => text
+                .parse()
+                .map_err(|why| serde::de::Error::custom(format!("`{text}` is {why}"))),
+        }
+    }
+}
+
+/// The time integrators, by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum IntegratorName {
+    /// Eq. (3): the new velocity moves the disc
+    #[default]
+    SymplecticEuler,
+    /// The old velocity moves the disc: gains energy at every bounce
+    ExplicitEuler,
+    /// Two half-kicks around a drift
+    VelocityVerlet,
+}
+
+impl IntegratorName {
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SymplecticEuler => "symplectic-euler",
+            Self::ExplicitEuler => "explicit-euler",
+            Self::VelocityVerlet => "velocity-verlet",
+        }
+    }
+}
+
+/// The ways to place discs, by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlacementName {
+    /// Uniformly at random, up to a packing fraction of about 0.54
+    #[default]
+    Random,
+    /// On a slightly jittered lattice: denser
+    Lattice,
+}
+
+impl PlacementName {
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Random => "random",
+            Self::Lattice => "lattice",
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! The simulation: discs, the forces on them, the clock, and one time step.
+//!
+//! m a = m g + sum f_c: [`Discs::update_forces`] adds the right-hand side up, an
+//! [`Integrator`] turns it into motion. Here too: Eq. (2), the time step, and the placing of
+//! the discs.
+
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use crate::force::{Force, Share, Tally};
+use crate::integrator::{Integrator, Motion};
+use crate::particle::Particle;
+use crate::placement::{self, PlacementError};
+use crate::work::{self, Works};
+
+/// Eq. (2): dt = tau / N_t = pi sqrt(m / k_n) / N_t, in s.
+///
+/// tau is the time a disc of mass `mass` (kg) spends in an undamped contact with a wall of
+/// stiffness `stiffness` (N/m); two equal discs part sooner, after tau / sqrt(2).
+///
+/// ```
+/// let dt = parsim2d::simulation::time_step(1e-3, 5e4, 50.0);
+/// assert!((dt - 8.8857658763e-6).abs() < 1e-15); // the guide's numbers
+/// ```
+pub fn time_step(mass: f64, stiffness: f64, steps_per_contact: f64) -> f64 {
+    PI * (mass / stiffness).sqrt() / steps_per_contact
+}
+
+/// Places `n` discs of `radius` (m) and `mass` (kg), at rest, at random in the square from the
+/// origin to (`side`, `side`) (m): uniform over the allowed region, no overlap, no wall contact.
+///
+/// The same `seed` gives the same discs. Fails, rather than loop for ever, when the box is too
+/// full; `placement::lattice` goes denser.
+pub fn place_discs(
+    n: usize,
+    radius: f64,
+    mass: f64,
+    side: f64,
+    seed: u64,
+) -> Result<Vec<Particle>, PlacementError> {
+    let mut discs = vec![Particle::at_rest(DVec2::ZERO, radius, mass); n];
+    placement::at_random(&mut discs, 0, side, &mut placement::generator(seed))?;
+    Ok(discs)
+}
+
+/// The discs and everything that pushes them.
+pub struct Discs {
+    particles: Vec<Particle>,
+    gravity: DVec2, // m/s2
+    forces: Vec<Box<dyn Force>>,
+    tally: Tally,
+    works: Works,
+    stored_energy: f64, // J
+    has_external_forces: bool,
+}
+
+impl Motion for Discs {
+    fn kick(&mut self, dt: f64) {
+        let (gravity, external) = (self.gravity, self.has_external_forces);
+        match &self.tally.shares {
+            Some(shares) => {
+                let particles = &mut self.particles;
+                self.works.kick(particles, shares, gravity, external, dt);
+            }
+            None => self.particles.iter_mut().for_each(|disc| disc.kick(dt)),
+        }
+    }
+
+    fn drift(&mut self, dt: f64) {
+        self.particles.iter_mut().for_each(|disc| disc.drift(dt));
+    }
+
+    /// The right-hand side of m a = m g + sum f_c.
+    fn update_forces(&mut self) {
+        for disc in &mut self.particles {
+            disc.force = disc.mass * self.gravity;
+        }
+        self.tally.begin();
+        self.stored_energy = 0.0;
+        for force in &mut self.forces {
+            self.stored_energy += force.apply(&mut self.particles, &mut self.tally);
+        }
+    }
+
+    fn particles_mut(&mut self) -> &mut [Particle] {
+        &mut self.particles
+    }
+}
+
+/// Discs, an integrator and a clock.
+pub struct Simulation {
+    discs: Discs,
+    integrator: Box<dyn Integrator>,
+    dt: f64, // s
+    steps: u64,
+}
+
+impl Simulation {
+    /// A simulation at t = 0. `gravity` is the acceleration vector g in m/s2, `dt` the time step
+    /// in s, `forces` the contacts; others join by [`add_force`](Self::add_force).
+    pub fn new(
+        particles: Vec<Particle>,
+        gravity: DVec2,
+        forces: Vec<Box<dyn Force>>,
+        integrator: Box<dyn Integrator>,
+        dt: f64,
+    ) -> Self {
+        let mut discs = Discs {
+            particles,
+            gravity,
+            forces,
+            tally: Tally::default(),
+            works: Works::default(),
+            stored_energy: 0.0,
+            has_external_forces: false,
+        };
+        discs.update_forces();
+        Self {
+            discs,
+            integrator,
+            dt,
+            steps: 0,
+        }
+    }
+
+    /// One time step.
+    pub fn step(&mut self) {
+        self.integrator.step(&mut self.discs, self.dt);
+        for force in &mut self.discs.forces {
+            force.end_step(self.dt);
+        }
+        self.steps += 1;
+    }
+
+    /// Simulated time, s: steps done times the time step.
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.dt
+    }
+
+    /// The time step, s.
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// Steps done.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The discs, in id order.
+    pub fn particles(&self) -> &[Particle] {
+        &self.discs.particles
+    }
+
+    /// Acceleration of gravity as a vector, m/s2.
+    pub fn gravity(&self) -> DVec2 {
+        self.discs.gravity
+    }
+
+    /// Energy stored in contacts (and other forces) in the present state, J.
+    pub fn stored_energy(&self) -> f64 {
+        self.discs.stored_energy
+    }
+
+    /// The largest overlap so far, start included, as a fraction of the smaller radius.
+    pub fn largest_overlap(&self) -> f64 {
+        self.discs.tally.largest_overlap
+    }
+
+    /// Works gathered since [`keep_work_ledger`](Self::keep_work_ledger), if it was called.
+    pub fn works(&self) -> Option<&Works> {
+        self.discs.tally.shares.as_ref().map(|_| &self.discs.works)
+    }
+
+    /// From now on, books the work of every force at every kick.
+    pub fn keep_work_ledger(&mut self) {
+        let shares = vec![Share::default(); self.discs.particles.len()];
+        self.discs.tally.shares = Some(shares);
+        self.discs.works = Works::default();
+        self.discs.update_forces();
+    }
+
+    /// Adds a force that is not a contact. Its work is booked as external.
+    pub fn add_force(&mut self, force: Box<dyn Force>) {
+        self.discs.forces.push(force);
+        self.discs.has_external_forces = true;
+        self.discs.update_forces();
+    }
+
+    /// Changes the discs by hand between two steps. Forces follow the change, and the kinetic
+    /// energy it gave is booked as external work.
+    pub fn act(&mut self, change: impl FnOnce(&mut [Particle])) {
+        let before = work::kinetic_energy(&self.discs.particles);
+        change(&mut self.discs.particles);
+        let given = work::kinetic_energy(&self.discs.particles) - before;
+        self.discs.works.external.add(given);
+        self.discs.update_forces();
+    }
+
+    /// A 64-bit fingerprint of the state: FNV-1a (Fowler, Noll, Vo) over the step and then, in
+    /// id order, x, y, vx, vy, r, m of each disc, all as little-endian bytes.
+    pub fn state_hash(&self) -> u64 {
+        let words = self.particles().iter().flat_map(|p| {
+            let (x, v) = (p.position, p.velocity);
+            [x.x, x.y, v.x, v.y, p.radius, p.mass].map(f64::to_bits)
+        });
+        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+        for byte in std::iter::once(self.steps)
+            .chain(words)
+            .flat_map(u64::to_le_bytes)
+        {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+        hash
+    }
+}

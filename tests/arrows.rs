@@ -1,0 +1,149 @@
+//! The arrows between the rooms go one way: who may `use crate::` whom.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Which rooms each room may know. A room is a file or folder of `src/`.
+const ARROWS: [(&str, &[&str]); 13] = [
+    ("particle", &[]),
+    ("neighbours", &["particle"]),
+    ("integrator", &["particle"]),
+    ("force", &["particle", "neighbours"]),
+    ("work", &["particle", "force"]),
+    ("placement", &["particle", "neighbours"]),
+    (
+        "simulation",
+        &["particle", "force", "integrator", "placement", "work"],
+    ),
+    ("analysis", &["particle", "work", "simulation"]),
+    ("output", &["simulation", "analysis"]),
+    (
+        "scenario",
+        &[
+            "particle",
+            "neighbours",
+            "integrator",
+            "force",
+            "placement",
+            "simulation",
+            "analysis",
+            "output",
+        ],
+    ),
+    ("cli", &["scenario", "simulation", "analysis", "output"]),
+    ("main", &[]),
+    ("lib", &[]),
+];
+
+/// The outside crates that the physics may know; files and formats, clap and clocks may not.
+const PHYSICS: [&str; 8] = [
+    "particle",
+    "neighbours",
+    "integrator",
+    "force",
+    "work",
+    "placement",
+    "simulation",
+    "analysis",
+];
+const PHYSICS_CRATES: [&str; 7] = [
+    "std",
+    "glam",
+    "rand",
+    "rand_pcg",
+    "thiserror",
+    "serde",
+    "crate",
+];
+
+#[test]
+fn arrows_go_one_way() {
+    let allowed: BTreeMap<&str, &[&str]> = ARROWS.into();
+    let mut seen = 0;
+    for (room, path, word) in uses() {
+        let Some(target) = word.strip_prefix("crate::") else {
+            continue;
+        };
+        let target = target
+            .split(|c: char| !c.is_alphanumeric() && c != '_')
+            .next()
+            .unwrap();
+        if target == room {
+            continue;
+        }
+        seen += 1;
+        let may = allowed
+            .get(room.as_str())
+            .unwrap_or_else(|| panic!("no arrows for room {room}"));
+        assert!(
+            may.contains(&target),
+            "{} uses crate::{target}",
+            path.display()
+        );
+    }
+    assert!(
+        seen > 20,
+        "only {seen} arrows were found: does this test still read the sources?"
+    );
+}
+
+#[test]
+fn physics_knows_no_files_formats_or_command_line() {
+    for (room, path, word) in uses().filter(|(room, ..)| PHYSICS.contains(&room.as_str())) {
+        let outside = word.split("::").next().unwrap().trim_end_matches(';');
+        let local = ["super", "self"].contains(&outside);
+        assert!(
+            local || PHYSICS_CRATES.contains(&outside),
+            "{} ({room}) uses {outside}",
+            path.display()
+        );
+        for forbidden in ["std::fs", "std::io", "std::time", "std::net", "std::env"] {
+            assert!(
+                !word.starts_with(forbidden),
+                "{} uses {word}",
+                path.display()
+            );
+        }
+    }
+}
+
+/// Every `use` line of `src/`: its room, its file, and what it uses.
+fn uses() -> impl Iterator<Item = (String, PathBuf, String)> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let files = files_below(&source);
+    files.into_iter().flat_map(move |path| {
+        let inside = path.strip_prefix(&source).unwrap().to_owned();
+        let first = inside.components().next().unwrap().as_os_str();
+        let room = Path::new(first)
+            .file_stem()
+            .unwrap()
+            .to_str()
+            .unwrap()
+            .to_owned();
+        let text = fs::read_to_string(&path).unwrap();
+        let lines: Vec<_> = text
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("pub ").or(Some(line.trim())))
+            .filter_map(|line| line.strip_prefix("use "))
+            .map(|word| (room.clone(), path.clone(), word.to_owned()))
+            .collect();
+        lines
+    })
+}
+
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    entries
+        .flat_map(|path| {
+            if path.is_dir() {
+                files_below(&path)
+            } else {
+                vec![path]
+            }
+        })
+        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
+        .collect()
+}
