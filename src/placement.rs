@@ -231,6 +231,9 @@ pub fn lattice(
     // Less than half the gap each way: two neighbours moved towards each other do not touch.
     let jitter = 0.4 * gap.min(radius);
     let (mut to_place, mut sites_left) = (asked, kind.sites(spacing, room).count());
+    // The lattice rarely fills the box to the last hair: centre it.
+    let extent = kind.sites(spacing, room).fold(DVec2::ZERO, DVec2::max);
+    let corner = DVec2::splat(radius) + 0.5 * (DVec2::splat(room) - extent);
     let mut next = particles.iter_mut();
     for site in kind.sites(spacing, room) {
         // Each site is taken with the chance that makes all choices equally likely (Knuth's S).
@@ -241,7 +244,7 @@ pub fn lattice(
             let moved = site + jitter * uniform(generator) * direction(generator);
             let edge = particle.radius * (1.0 + 1e-9); // a hair off the wall, for rounding
             let (low, high) = (DVec2::splat(edge), DVec2::splat(side - edge));
-            particle.position = (moved + DVec2::splat(radius)).clamp(low, high);
+            particle.position = (corner + moved).clamp(low, high);
         }
     }
     Ok(())
@@ -295,7 +298,7 @@ impl Lattice {
     fn widest_spacing(self, n: usize, room: f64) -> f64 {
         let (mut fits, mut too_wide) = (room / (2.0 * (n as f64).sqrt() + 2.0), 2.0 * room);
         if n == 1 {
-            return too_wide;
+            return f64::MAX; // the one site has all the room
         }
         for _ in 0..60 {
             let middle = 0.5 * (fits + too_wide);

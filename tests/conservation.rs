@@ -1,0 +1,172 @@
+//! Momentum, symmetry, and sums that do not depend on who found the pairs.
+
+mod support;
+
+use glam::DVec2;
+use parsim2d::force::{Force, Tally};
+use parsim2d::integrator::Motion;
+use parsim2d::neighbours::all_pairs;
+use parsim2d::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
+use parsim2d::simulation::{Simulation, place_discs};
+use support::{INTEGRATORS, MASS, RADIUS, contacts, disc_at, law};
+
+fn damped() -> SpringDashpot {
+    law(Damping::Coefficient(0.3))
+}
+
+/// Discs of three masses and two radii that fly towards the origin, without walls or gravity.
+fn implosion() -> Vec<Particle> {
+    let mut discs = place_discs(60, 2.0 * RADIUS, MASS, 0.03, 11).unwrap();
+    for (k, disc) in discs.iter_mut().enumerate() {
+        disc.position -= DVec2::splat(0.015);
+        disc.velocity = -40.0 * disc.position;
+        disc.mass *= 1.0 + (k % 3) as f64;
+        disc.radius /= 1.0 + (k % 2) as f64;
+    }
+    discs
+}
+
+#[test]
+fn momentum_is_constant_to_round_off() {
+    for (name, integrator) in INTEGRATORS {
+        let forces = vec![contacts(damped())];
+        let mut simulation = Simulation::new(implosion(), DVec2::ZERO, forces, integrator(), 5e-6);
+        let momentum = |s: &Simulation| {
+            s.particles()
+                .iter()
+                .map(|p| p.mass * p.velocity)
+                .sum::<DVec2>()
+        };
+        let start = momentum(&simulation);
+        let scale: f64 = simulation
+            .particles()
+            .iter()
+            .map(|p| p.mass * p.velocity.length())
+            .sum();
+        (0..20_000).for_each(|_| simulation.step());
+        assert!(simulation.largest_overlap() > 0.01, "no contact, no test");
+        // Each kick rounds each momentum by 1e-16 of its size; 20,000 of them at random.
+        assert!(
+            (momentum(&simulation) - start).length() < 1e-13 * scale,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn a_mirrored_start_gives_the_mirrored_run_to_the_bit() {
+    for (name, integrator) in INTEGRATORS {
+        let run = |mirror: DVec2| {
+            let mut discs = implosion();
+            for disc in &mut discs {
+                disc.position *= mirror;
+                disc.velocity *= mirror;
+            }
+            let forces = vec![contacts(damped())];
+            let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, integrator(), 5e-6);
+            (0..5000).for_each(|_| simulation.step());
+            simulation
+                .particles()
+                .iter()
+                .map(|p| p.position * mirror)
+                .collect::<Vec<_>>()
+        };
+        let plain = run(DVec2::ONE);
+        for mirror in [DVec2::new(-1.0, 1.0), DVec2::new(1.0, -1.0)] {
+            assert_eq!(plain, run(mirror), "{name}");
+        }
+    }
+}
+
+/// The plain way: each disc gathers from all others in ascending id, each contact computed twice.
+struct GatheredContacts(SpringDashpot);
+
+impl Force for GatheredContacts {
+    fn apply(&mut self, particles: &mut [Particle], _tally: &mut Tally) -> f64 {
+        let before = particles.to_vec();
+        for (i, disc) in particles.iter_mut().enumerate() {
+            for j in (0..before.len()).filter(|&j| j != i) {
+                if let Some(contact) = Contact::between(&before[i], &before[j]) {
+                    disc.force -= self.0.push(&contact) * contact.normal;
+                }
+            }
+        }
+        0.0
+    }
+}
+
+#[test]
+fn the_contact_sweep_has_the_bits_of_every_disc_gathering_in_ascending_id() {
+    let run = |force: Box<dyn Force>| {
+        let mut simulation = Simulation::new(
+            implosion(),
+            DVec2::ZERO,
+            vec![force],
+            INTEGRATORS[0].1(),
+            5e-6,
+        );
+        (0..4000).for_each(|_| simulation.step());
+        assert!(simulation.time() > 0.0);
+        simulation.state_hash()
+    };
+    assert_eq!(
+        run(contacts(damped())),
+        run(Box::new(GatheredContacts(damped())))
+    );
+}
+
+#[test]
+fn every_pair_is_visited_once_and_in_order_by_the_oracle() {
+    let pairs: Vec<_> = all_pairs(4).collect();
+    assert_eq!(pairs, [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]);
+}
+
+#[test]
+fn the_work_ledger_changes_no_bit_of_the_motion() {
+    for (name, integrator) in INTEGRATORS {
+        let run = |with_ledger: bool| {
+            let forces = vec![contacts(damped())];
+            let mut simulation = Simulation::new(
+                implosion(),
+                DVec2::new(0.0, -9.81),
+                forces,
+                integrator(),
+                5e-6,
+            );
+            if with_ledger {
+                simulation.keep_work_ledger();
+            }
+            (0..3000).for_each(|_| simulation.step());
+            simulation.state_hash()
+        };
+        assert_eq!(run(true), run(false), "{name}");
+    }
+}
+
+#[test]
+fn a_change_by_hand_is_booked_as_external_work() {
+    let discs = vec![disc_at(DVec2::ZERO, DVec2::new(1.0, 0.0))];
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, vec![], INTEGRATORS[0].1(), 1e-3);
+    simulation.keep_work_ledger();
+    simulation.act(|discs| discs[0].velocity *= 3.0);
+    // m/2 (9 - 1) v² = 4e-3 J
+    assert!((simulation.works().unwrap().external.value() - 4e-3).abs() < 1e-17);
+}
+
+/// A custom integrator sees the discs themselves.
+struct Teleport;
+
+impl parsim2d::integrator::Integrator for Teleport {
+    fn step(&mut self, discs: &mut dyn Motion, dt: f64) {
+        discs.particles_mut()[0].position.x += dt;
+        discs.update_forces();
+    }
+}
+
+#[test]
+fn an_integrator_from_outside_may_move_discs_as_it_likes() {
+    let discs = vec![disc_at(DVec2::ZERO, DVec2::ZERO)];
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, vec![], Box::new(Teleport), 0.5);
+    (0..3).for_each(|_| simulation.step());
+    assert_eq!(simulation.particles()[0].position.x, 1.5);
+}

@@ -1,0 +1,113 @@
+//! The grid and the list against all pairs, on random states and at the edges.
+
+mod support;
+
+use glam::DVec2;
+use parsim2d::neighbours::{Neighbours, all_pairs};
+use parsim2d::particle::{Contact, Particle};
+use proptest::prelude::*;
+
+/// All touching pairs, found the plain way.
+fn touching(
+    particles: &[Particle],
+    pairs: impl Iterator<Item = (usize, usize)>,
+) -> Vec<(usize, usize)> {
+    pairs
+        .filter(|&(i, j)| Contact::between(&particles[i], &particles[j]).is_some())
+        .collect()
+}
+
+fn assert_no_pair_is_missed(neighbours: &mut Neighbours, particles: &[Particle]) {
+    neighbours.refresh(particles);
+    let listed: Vec<_> = neighbours.pairs().collect();
+    assert!(listed.is_sorted(), "pairs must come in lexicographic order");
+    assert!(listed.iter().all(|&(i, j)| i < j && j < particles.len()));
+    let unique = listed.windows(2).all(|two| two[0] != two[1]);
+    assert!(unique, "a pair is listed twice");
+    let plain = touching(particles, all_pairs(particles.len()));
+    assert_eq!(touching(particles, listed.into_iter()), plain);
+}
+
+/// A coordinate in the box, beyond it, on its walls, far away, or no number at all.
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        20 => 0.0..0.04,
+        4 => prop_oneof![Just(0.0), Just(0.04), Just(0.02), Just(-0.0)],
+        3 => -0.01..0.05,
+        1 => prop_oneof![Just(1e6), Just(-1e6), Just(1e300), Just(f64::INFINITY)],
+        1 => Just(f64::NAN),
+    ]
+}
+
+fn discs(most: usize) -> impl Strategy<Value = Vec<Particle>> {
+    let radius = prop_oneof![Just(1e-4), Just(1e-3), 1e-5..5e-3];
+    prop::collection::vec((coordinate(), coordinate(), radius), 0..most).prop_map(|discs| {
+        discs
+            .into_iter()
+            .map(|(x, y, r)| Particle::at_rest(DVec2::new(x, y), r, 1e-3))
+            .collect()
+    })
+}
+
+proptest! {
+    #[test]
+    fn a_fresh_list_has_every_touching_pair(particles in discs(120)) {
+        assert_no_pair_is_missed(&mut Neighbours::default(), &particles);
+    }
+
+    #[test]
+    fn a_list_stays_complete_while_discs_wander(
+        start in discs(60),
+        steps in prop::collection::vec((0usize..60, -2e-3..2e-3, -2e-3..2e-3), 1..60),
+    ) {
+        let mut particles = start;
+        let mut neighbours = Neighbours::default();
+        for (who, dx, dy) in steps {
+            assert_no_pair_is_missed(&mut neighbours, &particles);
+            if let Some(disc) = particles.get_mut(who) {
+                disc.position += DVec2::new(dx, dy);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_violent_run_never_misses_a_contact() {
+    // Elastic discs at 5 m/s in a small box, every step held against all pairs.
+    use parsim2d::force::HalfPlane;
+    use parsim2d::simulation::{Simulation, place_discs, time_step};
+    use support::{ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, contacts, law, walls};
+    let side = 0.01;
+    let mut discs = place_discs(40, RADIUS, MASS, side, 3).unwrap();
+    for (k, disc) in discs.iter_mut().enumerate() {
+        disc.velocity = 5.0 * DVec2::from_angle(k as f64);
+    }
+    let forces = vec![
+        walls(law(ELASTIC), &HalfPlane::square(side)),
+        contacts(law(ELASTIC)),
+    ];
+    let dt = time_step(MASS, STIFFNESS, 50.0);
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, INTEGRATORS[0].1(), dt);
+    let mut neighbours = Neighbours::default();
+    let mut contacts_seen = 0;
+    for _ in 0..5000 {
+        simulation.step();
+        assert_no_pair_is_missed(&mut neighbours, simulation.particles());
+        let pairs = touching(simulation.particles(), neighbours.pairs());
+        contacts_seen += pairs.len();
+    }
+    assert!(contacts_seen > 1000, "{contacts_seen}");
+}
+
+#[test]
+fn discs_on_a_line_or_in_a_point_are_handled() {
+    for place in [
+        |_: usize| DVec2::ZERO,
+        |k: usize| DVec2::new(k as f64 * 1.5e-3, 0.0),
+    ] {
+        let particles: Vec<_> = (0..50)
+            .map(|k| Particle::at_rest(place(k), 1e-3, 1.0))
+            .collect();
+        assert_no_pair_is_missed(&mut Neighbours::default(), &particles);
+    }
+}

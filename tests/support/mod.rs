@@ -1,0 +1,131 @@
+//! What several test files share: small set-ups with one contact, and the guide's numbers.
+#![allow(dead_code)] // each test file uses its own part
+
+use glam::DVec2;
+use parsim2d::force::{Contacts, Force, HalfPlane, Walls};
+use parsim2d::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
+use parsim2d::neighbours::Neighbours;
+use parsim2d::particle::{Damping, Particle, SpringDashpot};
+use parsim2d::simulation::Simulation;
+
+/// The guide's stiffness, N/m, mass, kg, and radius, m.
+pub const STIFFNESS: f64 = 5e4;
+pub const MASS: f64 = 1e-3;
+pub const RADIUS: f64 = 5e-4;
+
+pub type NewIntegrator = fn() -> Box<dyn Integrator>;
+
+pub const INTEGRATORS: [(&str, NewIntegrator); 3] = [
+    ("symplectic-euler", || Box::new(SymplecticEuler)),
+    ("explicit-euler", || Box::new(ExplicitEuler)),
+    ("velocity-verlet", || Box::new(VelocityVerlet)),
+];
+
+pub fn law(damping: Damping) -> SpringDashpot {
+    SpringDashpot {
+        stiffness: STIFFNESS,
+        damping,
+        tension: true,
+    }
+}
+
+pub const ELASTIC: Damping = Damping::Coefficient(0.0);
+
+pub fn contacts(law: SpringDashpot) -> Box<dyn Force> {
+    Box::new(Contacts {
+        law,
+        neighbours: Neighbours::default(),
+    })
+}
+
+pub fn walls(law: SpringDashpot, planes: &[HalfPlane]) -> Box<dyn Force> {
+    Box::new(Walls {
+        law,
+        planes: planes.to_vec(),
+    })
+}
+
+/// The floor y = 0.
+pub fn floor() -> HalfPlane {
+    HalfPlane {
+        point: DVec2::ZERO,
+        normal: DVec2::NEG_Y,
+    }
+}
+
+pub fn disc_at(position: DVec2, velocity: DVec2) -> Particle {
+    let mut disc = Particle::at_rest(position, RADIUS, MASS);
+    disc.velocity = velocity;
+    disc
+}
+
+/// One contact, without gravity: who meets whom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Meeting {
+    /// A disc and the floor.
+    Wall,
+    /// Two equal discs.
+    Pair,
+    /// A disc and one of five times its mass and twice its radius.
+    UnequalPair,
+}
+
+pub const MEETINGS: [Meeting; 3] = [Meeting::Wall, Meeting::Pair, Meeting::UnequalPair];
+
+impl Meeting {
+    pub fn reduced_mass(self) -> f64 {
+        match self {
+            Self::Wall => MASS,
+            Self::Pair => MASS / 2.0,
+            Self::UnequalPair => MASS * 5.0 / 6.0,
+        }
+    }
+
+    /// The bodies `gap` (m) apart, approaching at `speed` (m/s).
+    pub fn begin(
+        self,
+        law: SpringDashpot,
+        new_integrator: NewIntegrator,
+        gap: f64,
+        speed: f64,
+        dt: f64,
+    ) -> Simulation {
+        let (forces, discs) = match self {
+            Self::Wall => {
+                let disc = disc_at(DVec2::new(0.0, RADIUS + gap), DVec2::new(0.0, -speed));
+                (vec![walls(law, &[floor()])], vec![disc])
+            }
+            _ => {
+                let mut other = disc_at(DVec2::ZERO, DVec2::ZERO);
+                if self == Self::UnequalPair {
+                    (other.mass, other.radius) = (5.0 * MASS, 2.0 * RADIUS);
+                }
+                let apart = RADIUS + other.radius + gap;
+                other.position.x = apart;
+                (
+                    vec![contacts(law)],
+                    vec![disc_at(DVec2::ZERO, DVec2::new(speed, 0.0)), other],
+                )
+            }
+        };
+        Simulation::new(discs, DVec2::ZERO, forces, new_integrator(), dt)
+    }
+
+    /// Speed at which the bodies approach, m/s.
+    pub fn approach_speed(self, simulation: &Simulation) -> f64 {
+        match (self, simulation.particles()) {
+            (Self::Wall, discs) => -discs[0].velocity.y,
+            (_, discs) => discs[0].velocity.x - discs[1].velocity.x,
+        }
+    }
+
+    /// Distance between the surfaces, m; negative while they overlap.
+    pub fn gap(self, simulation: &Simulation) -> f64 {
+        match (self, simulation.particles()) {
+            (Self::Wall, discs) => discs[0].position.y - discs[0].radius,
+            (_, discs) => {
+                discs[0].position.distance(discs[1].position) - discs[0].radius - discs[1].radius
+            }
+        }
+    }
+}
