@@ -15,7 +15,7 @@ mod resolve;
 pub mod settings;
 mod start;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use glam::DVec2;
 
@@ -166,6 +166,19 @@ pub struct OutputChoices {
 }
 
 impl Scenario {
+    /// A scenario from the text of a scenario file; seed 0 if it does not say one.
+    ///
+    /// ```
+    /// let scenario = parsim2d::scenario::Scenario::from_toml("n = 3\nradius = '0.5mm'").unwrap();
+    /// let mut simulation = scenario.build().unwrap();
+    /// simulation.step();
+    /// assert_eq!(simulation.particles().len(), 3);
+    /// assert!((simulation.time() - 8.8857658763e-6).abs() < 1e-15); // s, Eq. (2)
+    /// ```
+    pub fn from_toml(text: &str) -> Result<Self, ScenarioError> {
+        Self::resolve(&file::parse(text, Path::new("scenario"))?, || 0)
+    }
+
     /// Number of discs.
     pub fn n(&self) -> usize {
         match &self.discs {

@@ -181,6 +181,11 @@ impl Simulation {
         self.discs.update_forces();
     }
 
+    /// Steps with another integrator from now on.
+    pub fn set_integrator(&mut self, integrator: Box<dyn Integrator>) {
+        self.integrator = integrator;
+    }
+
     /// Adds a force that is not a contact. Its work is booked as external.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         self.discs.forces.push(force);

@@ -164,10 +164,11 @@ impl Scenario {
             let (lightest, _) = self.mass_range();
             let gain = |reduced_mass| {
                 let omega = angular_frequency(self.stiffness, reduced_mass);
-                100.0 * (explicit_euler_gain(omega, self.dt()) - 1.0)
+                let percent = 100.0 * (explicit_euler_gain(omega, self.dt()) - 1.0);
+                format!("{percent:.*}", if percent < 10.0 { 1 } else { 0 })
             };
             format!(
-                "explicit-euler gains energy: about {:.3} % at an elastic wall bounce, {:.3} % when \
+                "explicit-euler gains energy: about {} % at an elastic wall bounce, {} % when \
                  two discs collide. --integrator symplectic-euler does not",
                 gain(lightest),
                 gain(0.5 * lightest)

@@ -65,10 +65,10 @@ impl Scenario {
             output: output_choices(settings)?,
         };
         scenario.discs = scenario.disc_source(settings, usual.n)?;
-        scenario.check_clock()?;
         if let (false, Some(refusal)) = (scenario.allow_unstable, scenario.refusal()) {
             return Err(ScenarioError::Unstable(refusal));
         }
+        scenario.check_clock()?;
         Ok(scenario)
     }
 

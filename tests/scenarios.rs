@@ -1,0 +1,304 @@
+//! Scenario files and flags: layers, checks, and the way back to a file.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use parsim2d::scenario::settings::Settings;
+use parsim2d::scenario::{DtSetBy, Scenario, StepChoice, file};
+use proptest::prelude::*;
+
+fn folder(name: &str) -> impl Iterator<Item = PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    let entries = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    entries.filter(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "toml")
+    })
+}
+
+#[test]
+fn every_bad_scenario_gets_the_message_it_carries() {
+    // Each file holds, after `#^`, parts of the message it must give.
+    let mut seen = 0;
+    for path in folder("tests/scenarios/bad") {
+        let text = fs::read_to_string(&path).unwrap();
+        let error = file::read(&path)
+            .and_then(|settings| Scenario::resolve(&settings, || 1))
+            .and_then(|scenario| scenario.build().map(|_| ()))
+            .expect_err(&path.display().to_string())
+            .to_string();
+        let expected: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("#^ "))
+            .collect();
+        assert!(!expected.is_empty(), "{} expects nothing", path.display());
+        for part in expected {
+            assert!(
+                error.contains(part),
+                "{}: {part:?} is not in\n{error}",
+                path.display()
+            );
+        }
+        seen += 1;
+    }
+    assert!(seen >= 29, "{seen}");
+}
+
+#[test]
+fn every_example_is_a_good_scenario() {
+    let mut seen = 0;
+    for path in folder("examples") {
+        let settings = file::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        let scenario = Scenario::resolve(&settings, || 1).unwrap_or_else(|error| panic!("{error}"));
+        scenario.build().unwrap_or_else(|error| panic!("{error}"));
+        seen += 1;
+    }
+    assert!(seen >= 7, "{seen}");
+}
+
+fn settings(text: &str) -> Settings {
+    file::parse(text, Path::new("test")).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn layered(flags: &str, file: &str) -> Scenario {
+    Scenario::resolve(&settings(flags).over(settings(file)), || 1)
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn flags_override_the_file_and_the_file_the_preset() {
+    let scenario = layered(
+        "radius = 2e-4",
+        "preset = 'guide-listing'\nradius = 3e-4\nn = 7",
+    );
+    assert_eq!((scenario.radius, scenario.n()), (2e-4, 7));
+    assert_eq!(layered("", "preset = 'guide-listing'").radius, 5e-4);
+    // A damping or time step in a flag replaces another kind in the file.
+    let scenario = layered("gamma = 10\nnt = 40", "eta = 0.5\ndt = 1e-6");
+    assert_eq!(scenario.damping.flag_and_value(), ("--gamma", 10.0));
+    assert_eq!(
+        (scenario.step, scenario.dt_set_by),
+        (StepChoice::Nt(40.0), DtSetBy::Nt)
+    );
+    assert!(layered("walls = true", "no_walls = true").walls);
+}
+
+#[test]
+fn the_guides_numbers_are_the_defaults() {
+    let scenario = layered("", "");
+    assert_eq!(
+        (
+            scenario.n(),
+            scenario.side,
+            scenario.radius,
+            scenario.mass,
+            scenario.gravity
+        ),
+        (20, 0.04, 1e-4, 1e-3, 9.81)
+    );
+    assert_eq!((scenario.stiffness, scenario.time), (5e4, 1.0));
+    assert_eq!(scenario.damping.flag_and_value(), ("--eta", 1.5e-3));
+    assert_eq!(
+        (scenario.step, scenario.dt_set_by),
+        (StepChoice::Nt(50.0), DtSetBy::Preset)
+    );
+    // Eq. (2): pi sqrt(1e-3 / 5e4) / 50 = 8.8858e-6 s, so 112,540 steps.
+    assert_eq!(scenario.steps(), 112_540);
+}
+
+#[test]
+fn eq_2_takes_the_lightest_disc() {
+    let text =
+        "mass = 1e-3\n[[population]]\nn = 2\nmass = 4e-3\n[[population]]\nn = 2\nmass = 2.5e-4";
+    let scenario = layered("", text);
+    assert_eq!(scenario.mass_range(), (2.5e-4, 4e-3));
+    // Half the default step, for a quarter of the mass.
+    assert!((scenario.dt() - 0.5 * layered("", "").dt()).abs() < 1e-20);
+}
+
+#[test]
+fn presets_read_the_guide_in_four_ways() {
+    // Restitution of pair and wall, as derived for the guide's printed 1.5e3 read as a rate.
+    let notes = |text: &str| {
+        let scenario = layered("", text);
+        let discs = scenario.build().unwrap();
+        scenario.notes(discs.particles()).join("\n")
+    };
+    let scaled = notes("preset = 'guide-mass-scaled'");
+    assert!(
+        scaled.contains("0.790 for a pair and 0.715 at a wall"),
+        "{scaled}"
+    );
+    let printed = notes("preset = 'guide-printed'");
+    assert!(printed.contains("zeta = 150.000"), "{printed}");
+    let guide = notes("");
+    assert!(guide.contains("the guide prints eta_n = 1.5e3"), "{guide}");
+    assert!(
+        guide.contains("1.25 r deep; try --radius 5e-4 or --kn 1.2e6"),
+        "{guide}"
+    );
+    let listing = notes("preset = 'guide-listing'");
+    assert!(!listing.contains("soft"), "{listing}");
+}
+
+#[test]
+fn every_way_out_of_a_refusal_works() {
+    let refused = [
+        "eta = 1.5e3",
+        "eta = 1.5e3\nn = 1",
+        "eta = 40\nnt = 10\nn = 2",
+        "gamma = 1e6",
+        "dt = 1e-3",
+        "kn = 5e10\ndt = 8.9e-6",
+        "mass = 1e-9\ndt = 8.9e-6",
+        "nt = 1",
+        "nt = 3.8",
+        "preset = 'guide-printed'\nnt = 50",
+        "preset = 'guide-printed'\nnt = 667",
+        "eta = 1e9",
+        "dt = 1e9",
+        "restitution = 1e-9\ndt = 5e-5",
+    ];
+    for text in refused {
+        let error = Scenario::resolve(&settings(text), || 1)
+            .expect_err(text)
+            .to_string();
+        let ways_out = error
+            .lines()
+            .find_map(|line| line.trim().strip_prefix("ways out: "));
+        let ways_out: Vec<_> = ways_out.expect(&error).split(", or ").collect();
+        assert!(ways_out.len() >= 2, "{text}: {error}");
+        for way_out in ways_out {
+            let (flag, value) = way_out.split_once(' ').unwrap();
+            let value = if value == "auto" { "'auto'" } else { value };
+            let flags = settings(&format!("{} = {value}", flag.trim_start_matches("--")));
+            let mended = Scenario::resolve(&flags.over(settings(text)), || 1);
+            assert!(
+                mended.is_ok(),
+                "{text}: {way_out} does not help: {}",
+                mended.unwrap_err()
+            );
+        }
+    }
+}
+
+#[test]
+fn stability_is_judged_by_the_number_of_discs() {
+    // (2/omega0)(sqrt(1+zeta²) - zeta) sqrt(k/m): 2 for one disc, sqrt 2 for a pair, and
+    // 2/sqrt(6.1) = 0.8098 from three discs on.
+    let unit = (1e-3f64 / 5e4).sqrt();
+    for (n, limit) in [
+        (1, 2.0),
+        (2, 2.0f64.sqrt()),
+        (3, 2.0 / 6.1f64.sqrt()),
+        (1000, 0.80978),
+    ] {
+        for (factor, accepted) in [(0.999, true), (1.001, false)] {
+            let dt = factor * limit * unit;
+            let text = format!("n = {n}\neta = 0\ndt = {dt:e}");
+            assert_eq!(
+                Scenario::resolve(&settings(&text), || 1).is_ok(),
+                accepted,
+                "{text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_unstable_run_is_allowed_if_asked_for() {
+    let scenario = layered("", "eta = 1.5e3\nallow_unstable = true");
+    let notes = scenario.notes(&[]).join("\n");
+    assert!(notes.contains("unstable on purpose"), "{notes}");
+}
+
+#[test]
+fn explicit_euler_is_warned_about_with_its_gain_and_not_refused() {
+    let scenario = layered("", "integrator = 'explicit-euler'");
+    let notes = scenario.notes(&[]).join("\n");
+    assert!(
+        notes.contains("about 22 % at an elastic wall bounce, 32 % when two discs collide"),
+        "{notes}"
+    );
+}
+
+/// A scenario file with some keys said, in their ranges.
+fn some_scenario() -> impl Strategy<Value = String> {
+    let one = |key: &'static str, values: &'static [&'static str]| {
+        prop::option::of(prop::sample::select(values))
+            .prop_map(move |value| value.map(|v| format!("{key} = {v}\n")).unwrap_or_default())
+    };
+    let keys = vec![
+        one(
+            "preset",
+            &[
+                "'guide'",
+                "'guide-listing'",
+                "'guide-mass-scaled'",
+                "'guide-printed'",
+            ],
+        ),
+        one("seed", &["0", "7", "9223372036854775807"]),
+        one("side", &["0.05", "'6cm'"]),
+        one("radius", &["1.23456789012345e-4", "'0.2mm'"]),
+        one("gravity", &["0", "-9.81", "1.62"]),
+        one("kn", &["1e5", "'50 kN/m'"]),
+        one("restitution", &["1", "0.3", "0.1"]),
+        one("no_tension", &["true", "false"]),
+        one("walls", &["true", "false"]),
+        one("dt", &["'auto'", "1e-7", "'0.1us'"]),
+        one("time", &["0", "'1ms'"]),
+        one(
+            "integrator",
+            &[
+                "'velocity-verlet'",
+                "'explicit-euler'",
+                "'symplectic-euler'",
+            ],
+        ),
+        one("placement", &["'lattice'", "'random'"]),
+        one("speed", &["0.1", "'5 cm/s'"]),
+        one("every", &["1", "1000"]),
+        one("energy_every", &["0", "10"]),
+        one("slowdown", &["2.5"]),
+        one("border", &["true"]),
+        one("out_dir", &["'some where'", "'a\\b'", "\"it's\""]),
+    ];
+    let tables = prop::sample::select(vec![
+        "n = 3\n",
+        "",
+        "[[disc]]\nposition = [0.01, '2cm']\nvelocity = [0.1, -0.2]\n[[disc]]\nposition = [0.03, 0.02]\nmass = '2g'\n",
+        "[[population]]\nn = 3\nradius = 2e-4\nspeed = 0.3\n[[disc]]\nposition = [0.01, 0.02]\n",
+    ]);
+    (keys, tables).prop_map(|(keys, tables)| keys.concat() + tables)
+}
+
+proptest! {
+    #[test]
+    fn a_printed_scenario_is_read_back_as_the_same(text in some_scenario()) {
+        let scenario = layered("", &text);
+        let again = layered("", &scenario.to_toml());
+        prop_assert_eq!(&scenario, &again);
+        prop_assert_eq!(scenario.build().unwrap().state_hash(), again.build().unwrap().state_hash());
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_panic(text in "\\PC*") {
+        let _ = Scenario::from_toml(&text);
+    }
+
+    #[test]
+    fn no_mixture_of_keys_and_values_makes_the_reader_panic(
+        lines in prop::collection::vec((
+            prop::sample::select(vec!["n", "side", "radius", "mass", "kn", "eta", "dt", "nt", "time",
+                "seed", "speed", "position", "[[disc]]\nposition", "[[population]]\nn", "walls"]),
+            prop::sample::select(vec!["0", "-1", "1", "1e308", "1e-308", "nan", "inf", "-inf", "''",
+                "'1e400 m'", "[]", "[1, 2]", "[nan, 1]", "true", "9223372036854775807", "{}"]),
+        ), 0..8)
+    ) {
+        let text: String = lines.iter().map(|(key, value)| format!("{key} = {value}\n")).collect();
+        let _ = Scenario::from_toml(&text);
+    }
+}
