@@ -29,7 +29,7 @@ impl Force for Bowl {
     }
 }
 
-fn main() {
+pub fn main() {
     let scenario = Scenario::from_toml("n = 50\nseed = 1\ngravity = 0\nrestitution = 1").unwrap();
     let mut simulation = scenario.build().unwrap();
     simulation.add_force(Box::new(Bowl {

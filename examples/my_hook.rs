@@ -27,7 +27,7 @@ fn height(simulation: &Simulation) -> f64 {
     discs.iter().map(|disc| disc.position.y).sum::<f64>() / discs.len() as f64
 }
 
-fn main() {
+pub fn main() {
     let scenario = "n = 100\nseed = 1\nradius = 5e-4\nrestitution = 0.5";
     let mut simulation = Scenario::from_toml(scenario).unwrap().build().unwrap();
     let ledger = EnergyLedger::open(&mut simulation);

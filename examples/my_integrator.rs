@@ -41,7 +41,7 @@ fn energy_error(integrator: Box<dyn Integrator>, nt: u32) -> f64 {
     worst
 }
 
-fn main() {
+pub fn main() {
     for nt in [20, 40, 80] {
         let verlet = energy_error(Box::new(VelocityVerlet), nt);
         let mine = energy_error(Box::new(ForestRuth), nt);

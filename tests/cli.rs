@@ -1,0 +1,453 @@
+//! The program as a person meets it: messages, exit codes, signals, help.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Output, Stdio};
+use std::time::Duration;
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("parsim2d").unwrap();
+    command.current_dir(folder).args(arguments);
+    command
+}
+
+fn outcome(arguments: &[&str]) -> (Output, TempDir) {
+    let folder = tempfile::tempdir().unwrap();
+    let output = command(folder.path(), arguments).output().unwrap();
+    (output, folder)
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn the_summary_says_what_was_run() {
+    let (output, _folder) = outcome(&["-n", "5", "--time", "10ms", "--seed", "42"]);
+    assert!(output.status.success());
+    let summary = text(&output.stdout);
+    for part in [
+        "5 discs, preset guide, seed 42",
+        "8.8858e-6 s (Eq. (2), N_t = 50 set by the preset), symplectic-euler",
+        "1125 steps to t = 0.009996 s",
+        "million particle-steps/s",
+        "J at start",
+        "J at end",
+        "overlap  at most",
+        "state    ",
+    ] {
+        assert!(summary.contains(part), "{part:?} is not in\n{summary}");
+    }
+}
+
+#[test]
+fn json_has_every_promised_key() {
+    let (output, _folder) = outcome(&["-n", "5", "--time", "1ms", "--seed", "42", "--json"]);
+    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for key in [
+        "seed",
+        "n",
+        "preset",
+        "dt_s",
+        "dt_set_by",
+        "steps",
+        "time_s",
+        "wall_s",
+        "threads",
+        "particle_steps_per_s",
+        "energy_start_J",
+        "energy_end_J",
+        "max_overlap_over_r",
+        "state_hash",
+    ] {
+        assert!(!summary[key].is_null(), "{key} is missing in {summary}");
+    }
+    assert_eq!(summary["seed"], 42);
+    assert_eq!(summary["dt_set_by"], "preset");
+    assert_eq!(summary["state_hash"].as_str().unwrap().len(), 16);
+}
+
+#[test]
+fn dt_set_by_names_who_set_the_time_step() {
+    for (arguments, set_by, dt) in [
+        (&["--nt", "100"][..], "nt", 4.44288e-6),
+        (&["--dt", "1us"], "dt", 1e-6),
+        // 0.08 * 2 / sqrt(6.1 * 5e7 1/s2), a hair less for the damping
+        (&["--dt", "auto"], "auto", 9.15918e-6),
+        (&[], "preset", 8.88577e-6),
+    ] {
+        let more = ["-n", "5", "--time", "1ms", "--json", "-q"];
+        let (output, _folder) = outcome(&[arguments, &more].concat());
+        let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(summary["dt_set_by"], set_by);
+        let ratio = summary["dt_s"].as_f64().unwrap() / dt;
+        assert!((ratio - 1.0).abs() < 1e-4, "{set_by}: {ratio}"); // digits quoted above
+    }
+}
+
+#[test]
+fn the_seed_that_is_printed_repeats_the_run() {
+    let (output, _folder) = outcome(&["-n", "5", "--time", "1ms", "--json"]);
+    let first: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let seed = first["seed"].to_string();
+    let (output, _folder) = outcome(&["-n", "5", "--time", "1ms", "--json", "--seed", &seed]);
+    let second: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(first["state_hash"], second["state_hash"]);
+}
+
+#[test]
+fn a_run_without_terminal_prints_no_progress_bar_and_quiet_prints_nothing() {
+    let (output, _folder) = outcome(&["-n", "5", "--time", "1ms"]);
+    let notes = text(&output.stderr);
+    assert!(
+        notes.lines().all(|line| line.starts_with("note: ")),
+        "{notes}"
+    );
+    let (output, _folder) = outcome(&["-n", "5", "--time", "1ms", "-q"]);
+    assert!(output.stdout.is_empty() && output.stderr.is_empty());
+}
+
+#[test]
+fn the_guides_damping_is_explained_in_one_line_by_every_default_run() {
+    let (output, _folder) = outcome(&["-n", "1", "--time", "0"]);
+    let notes = text(&output.stderr);
+    assert_eq!(
+        notes.lines().filter(|line| line.contains("1.5e3")).count(),
+        1,
+        "{notes}"
+    );
+}
+
+#[test]
+fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
+    for (arguments, reason) in [
+        (&["-n", "0"][..], "n = 0 is not possible"),
+        (&["-n", "-5"], "n = -5 is not possible"),
+        (&["--radius", "nan"], "radius = NaN is not possible"),
+        (&["--side", "-1"], "side = -1 is not possible"),
+        (&["--mass", "inf"], "mass = inf is not possible"),
+        (&["--radius", "0.1"], "0.1 mm is 0.0001 m"),
+        (&["--nt", "0.9"], "nt = 0.9 is not possible"),
+        (&["--eta", "-1"], "eta = -1 is not possible"),
+        (&["--eta", "1", "--gamma", "1"], "cannot be used with"),
+        (&["--nt", "50", "--dt", "auto"], "cannot be used with"),
+        (&["--preset", "guidd"], "guide-listing"),
+        (&["--dtt", "1"], "--dt"),
+        (&["--eta", "1.5e3"], "the parameter at fault: --eta = 1.5e3"),
+        (
+            &["-n", "1000", "--radius", "5.6e-4"],
+            "way out: --placement lattice",
+        ),
+        (&["no_such.toml"], "cannot read the scenario no_such.toml"),
+        (&["chekc"], "chekc"),
+        (&["--slowdown", "0"], "slowdown = 0 is not possible"),
+        (&["--every", "0"], "every = 0 is not possible"),
+        (&["--time", "-1"], "time = -1 is not possible"),
+        (&["--start", "no_such.txt"], "cannot start from no_such.txt"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("out.txt"), "precious").unwrap();
+        let output = command(folder.path(), arguments).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(reason),
+            "{arguments:?}: {reason:?} is not in\n{message}"
+        );
+        assert_eq!(
+            fs::read_dir(folder.path()).unwrap().count(),
+            1,
+            "{arguments:?} wrote a file"
+        );
+        assert_eq!(
+            fs::read_to_string(folder.path().join("out.txt")).unwrap(),
+            "precious"
+        );
+    }
+}
+
+#[test]
+fn a_folder_that_is_a_file_is_found_before_the_first_step() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("file"), "").unwrap();
+    for out_dir in ["file", "file/below"] {
+        let output = command(folder.path(), &["--out-dir", out_dir])
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(out_dir));
+    }
+    // A folder that is not there is made.
+    let output = command(folder.path(), &["--out-dir", "new/deep", "--time", "0"])
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    assert!(folder.path().join("new/deep/out.txt").exists());
+}
+
+#[test]
+fn print_config_is_a_scenario_that_reproduces_the_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| {
+        let output = command(folder.path(), arguments).output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let files = ["out.txt", "trajectory.txt", "energy.csv"]
+            .map(|name| fs::read(folder.path().join(name)).unwrap_or_default());
+        (text(&output.stdout), files)
+    };
+    for arguments in [
+        &["-n", "10", "--radius", "4e-4", "--time", "20ms"][..],
+        &[
+            "-n",
+            "10",
+            "--restitution",
+            "0.7",
+            "--no-tension",
+            "--dt",
+            "auto",
+            "--time",
+            "20ms",
+        ],
+        &[
+            "--preset",
+            "guide-mass-scaled",
+            "--gravity",
+            "-3",
+            "--time",
+            "20ms",
+            "--speed",
+            "0.2",
+        ],
+        &[
+            "--preset",
+            "guide-printed",
+            "--time",
+            "0.1ms",
+            "--integrator",
+            "velocity-verlet",
+        ],
+    ] {
+        let (config, _) = run(&[arguments, &["--print-config", "--seed", "8"]].concat());
+        fs::write(folder.path().join("again.toml"), config).unwrap();
+        let (_, first) = run(&[arguments, &["--seed", "8"]].concat());
+        let (_, second) = run(&["run", "again.toml"]);
+        assert_eq!(first, second, "{arguments:?}");
+        let (config, _) = run(&["again.toml", "--print-config"]);
+        assert_eq!(
+            config,
+            fs::read_to_string(folder.path().join("again.toml")).unwrap()
+        );
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_failure() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+        .args(["-n", "2", "--time", "1ms"])
+        .current_dir(&folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take()); // the reader is gone before the summary
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success(), "{:?}", output.status);
+    assert!(!text(&output.stderr).contains("panicked"));
+}
+
+#[test]
+fn every_example_of_the_help_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    fs::create_dir(folder.path().join("examples")).unwrap();
+    for name in ["settling.toml"] {
+        fs::copy(
+            examples.join(name),
+            folder.path().join("examples").join(name),
+        )
+        .unwrap();
+    }
+    for help in [&["--help"][..], &["run", "--help"]] {
+        let output = command(folder.path(), help).output().unwrap();
+        let help = text(&output.stdout);
+        let lines: Vec<&str> = help
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("parsim2d"))
+            .filter(|line| line.starts_with(' ') && line.contains("  "))
+            .collect();
+        assert!(lines.len() >= 5, "{help}");
+        for line in lines {
+            let words = line
+                .trim_start_matches(' ')
+                .split("  ")
+                .next()
+                .unwrap_or_default();
+            let words = if line.starts_with("   ") { "" } else { words };
+            let mut arguments: Vec<&str> = words.split_whitespace().collect();
+            // The run as shown, cut short; what a flag says last would count twice.
+            if !arguments.contains(&"--time") {
+                arguments.extend(["--time", "1ms"]);
+            }
+            command(folder.path(), &arguments)
+                .timeout(Duration::from_secs(60))
+                .assert()
+                .success();
+        }
+    }
+}
+
+#[test]
+fn help_names_units_and_defaults() {
+    let (output, _folder) = outcome(&["-h"]);
+    let help = text(&output.stdout);
+    for part in [
+        "k_n [default: 5e4]",
+        "<N/M>",
+        "eta_n [default: 1.5e-3]",
+        "<KG/S>",
+        "Eq. (2)",
+    ] {
+        assert!(help.contains(part), "{part:?} is not in\n{help}");
+    }
+}
+
+#[test]
+fn presets_are_listed_with_their_numbers() {
+    let (output, _folder) = outcome(&["presets"]);
+    let list = text(&output.stdout);
+    for name in [
+        "guide ",
+        "guide-listing",
+        "guide-printed",
+        "guide-mass-scaled",
+    ] {
+        assert!(
+            list.lines().any(|line| line.starts_with(name)),
+            "{name} is not in\n{list}"
+        );
+    }
+}
+
+#[test]
+fn an_unstable_run_asked_for_ends_and_says_so() {
+    let arguments = [
+        "--eta",
+        "1.5e3",
+        "--allow-unstable",
+        "-n",
+        "50",
+        "--time",
+        "50ms",
+        "--json",
+    ];
+    let (output, _folder) = outcome(&arguments);
+    assert!(output.status.success());
+    assert!(text(&output.stderr).contains("unstable on purpose"));
+    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(summary["state_hash"].is_string(), "{summary}");
+}
+
+#[cfg(unix)]
+mod signals {
+    use super::*;
+
+    /// Starts a run that would last minutes, and sends it `signal` after `delay`.
+    fn interrupted(signal: &str, delay: Duration) -> (Output, TempDir) {
+        let folder = tempfile::tempdir().unwrap();
+        let child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+            .args([
+                "-n",
+                "20",
+                "--time",
+                "100",
+                "--slowdown",
+                "3",
+                "--seed",
+                "1",
+                "--json",
+            ])
+            .args(["--every", "100", "--energy-every", "100"])
+            .current_dir(&folder)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(delay);
+        let id = child.id().to_string();
+        assert!(
+            std::process::Command::new("kill")
+                .args([signal, &id])
+                .status()
+                .unwrap()
+                .success()
+        );
+        (child.wait_with_output().unwrap(), folder)
+    }
+
+    #[test]
+    fn an_interrupted_run_ends_with_130_and_complete_files() {
+        for (signal, delay) in [("-INT", 300), ("-TERM", 150), ("-INT", 700)] {
+            let (output, folder) = interrupted(signal, Duration::from_millis(delay));
+            assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+            let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert_eq!(summary["interrupted"], true);
+            let step = summary["steps"].as_u64().unwrap();
+            assert!(step > 0);
+            let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
+            // Every file ends with the last step, every frame has its 20 rows.
+            let out = read("out.txt");
+            assert!(out.starts_with(&format!("# step {step} ")), "{out}");
+            assert_eq!(out.lines().count(), 21);
+            let trajectory = read("trajectory.txt");
+            let frames: Vec<&str> = trajectory.split("\n\n\n").collect();
+            assert!(
+                frames
+                    .iter()
+                    .all(|frame| frame.trim_end().lines().count() == 21)
+            );
+            assert!(
+                frames
+                    .last()
+                    .unwrap()
+                    .starts_with(&format!("# step {step} "))
+            );
+            let energy = read("energy.csv");
+            assert!(
+                energy
+                    .lines()
+                    .last()
+                    .unwrap()
+                    .starts_with(&format!("{step},")),
+                "{energy}"
+            );
+            assert!(energy.ends_with('\n'));
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+        }
+    }
+
+    #[test]
+    fn a_full_disk_ends_the_run_with_1_and_the_path() {
+        // Files above 64 kB (ulimit counts blocks of 1 kB in bash) fail to grow; the signal that
+        // would kill the writer is ignored, so the write itself fails as on a full disk.
+        let folder = tempfile::tempdir().unwrap();
+        let script = format!(
+            "trap '' XFSZ; ulimit -f 64; exec '{}' -n 100 --time 1 --seed 1 --every 10",
+            env!("CARGO_BIN_EXE_parsim2d")
+        );
+        let output = std::process::Command::new("bash")
+            .args(["-c", &script])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{message}");
+        assert!(
+            message.contains("writing ./trajectory.txt failed"),
+            "{message}"
+        );
+    }
+}
