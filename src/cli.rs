@@ -7,10 +7,11 @@ mod watch;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::output::OutputError;
 use crate::scenario::error::ScenarioError;
+use crate::scenario::file::did_you_mean;
 
 /// Runs the program on the process's arguments.
 pub fn run() -> ExitCode {
@@ -87,15 +88,36 @@ enum Failure {
     Scenario(#[from] ScenarioError),
     #[error(transparent)]
     Output(#[from] OutputError),
+    #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
+    UnknownCommand {
+        word: String,
+        known: String,
+        advice: String,
+    },
     #[error("writing to standard output failed: {0}")]
     Stdout(#[from] io::Error),
 }
 
 impl Failure {
+    /// A single word that no file has for its name was probably meant as a subcommand.
+    fn unknown_command(word: &str) -> Self {
+        let command = Cli::command();
+        let known: Vec<&str> = command
+            .get_subcommands()
+            .map(clap::Command::get_name)
+            .collect();
+        let advice = did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?"));
+        Self::UnknownCommand {
+            word: word.to_owned(),
+            known: known.join(", "),
+            advice: advice.unwrap_or_default(),
+        }
+    }
+
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Scenario(_) | Self::Output(OutputError::Create { .. }) => ExitCode::from(2),
             Self::Output(OutputError::Write { .. }) | Self::Stdout(_) => ExitCode::FAILURE,
+            Self::Scenario(_) | Self::Output(_) | Self::UnknownCommand { .. } => ExitCode::from(2),
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Nothing here is called from inside a step. Nothing written depends on wall time, host or path,
 //! but for *when* `out.txt` is refreshed.
 
+pub mod checkpoint;
 pub mod energy;
 pub mod frames;
 pub mod live;
@@ -26,6 +27,18 @@ pub enum OutputError {
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
+    },
+    /// Before the first step: the folder holds a checkpoint of another version.
+    #[error(
+        "{} is a checkpoint of another version ({format}), and this run would make it useless\n  \
+         way out: continue it with that version, remove it, or use another --out-dir",
+        path.display()
+    )]
+    ForeignCheckpoint {
+        /// The checkpoint.
+        path: PathBuf,
+        /// Its format, as far as it can be told.
+        format: String,
     },
     /// During the run.
     #[error("writing {} failed: {source}\n  the run stops here; what was written before is kept", path.display())]

@@ -4,6 +4,7 @@
 //! Values come in layers: preset, then scenario file, then flags.
 
 pub mod error;
+mod exclusive;
 pub mod file;
 pub mod notes;
 pub mod preset;

@@ -1,4 +1,5 @@
 //! The program as a person meets it: messages, exit codes, signals, help.
+#![allow(clippy::too_many_lines)] // tables of cases
 
 use std::fs;
 use std::path::Path;
@@ -142,7 +143,10 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
             "way out: --placement lattice",
         ),
         (&["no_such.toml"], "cannot read the scenario no_such.toml"),
-        (&["chekc"], "chekc"),
+        (
+            &["preset"],
+            "neither a subcommand (run, presets) nor a scenario file; did you mean `presets`?",
+        ),
         (&["--slowdown", "0"], "slowdown = 0 is not possible"),
         (&["--every", "0"], "every = 0 is not possible"),
         (&["--time", "-1"], "time = -1 is not possible"),
@@ -186,6 +190,38 @@ fn a_folder_that_is_a_file_is_found_before_the_first_step() {
         .unwrap();
     assert!(output.status.success());
     assert!(folder.path().join("new/deep/out.txt").exists());
+}
+
+#[test]
+fn a_checkpoint_of_another_version_is_not_made_useless() {
+    for (content, format) in [
+        ("parsim2d checkpoint 7\n...", "format 7"),
+        ("", "unknown format"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("parsim2d.ckpt"), content).unwrap();
+        fs::write(folder.path().join("model.ckpt"), "of another program").unwrap();
+        let output = command(folder.path(), &["--time", "1ms"]).output().unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(format) && message.contains("way out"),
+            "{message}"
+        );
+        assert_eq!(
+            fs::read_dir(folder.path()).unwrap().count(),
+            2,
+            "something was written"
+        );
+        fs::remove_file(folder.path().join("parsim2d.ckpt")).unwrap();
+        assert!(
+            command(folder.path(), &["--time", "1ms"])
+                .output()
+                .unwrap()
+                .status
+                .success()
+        );
+    }
 }
 
 #[test]
@@ -264,13 +300,8 @@ fn every_example_of_the_help_runs() {
     let folder = tempfile::tempdir().unwrap();
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     fs::create_dir(folder.path().join("examples")).unwrap();
-    for name in ["settling.toml"] {
-        fs::copy(
-            examples.join(name),
-            folder.path().join("examples").join(name),
-        )
-        .unwrap();
-    }
+    let name = "examples/settling.toml";
+    fs::copy(examples.with_file_name(name), folder.path().join(name)).unwrap();
     for help in [&["--help"][..], &["run", "--help"]] {
         let output = command(folder.path(), help).output().unwrap();
         let help = text(&output.stdout);

@@ -1,4 +1,5 @@
 //! Scenario files and flags: layers, checks, and the way back to a file.
+#![allow(clippy::too_many_lines)] // tables of cases
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -10,7 +10,7 @@ use clap::Args;
 use rand::TryRng;
 
 use super::Failure;
-use super::watch::Watch;
+use super::watch::{Watch, placing_spinner};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::recorder::Recorder;
 use crate::output::summary::Summary;
@@ -36,7 +36,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
         io::stdout().write_all(scenario.to_toml().as_bytes())?;
         return Ok(ExitCode::SUCCESS);
     }
+    let spinner = placing_spinner(scenario.output.quiet);
     let mut simulation = scenario.build()?;
+    spinner.finish_and_clear();
     let mut recorder = Recorder::create(&scenario.output_plan(), &mut simulation)?;
     say_notes(&scenario, &simulation);
     let start = MechanicalEnergy::of(&simulation).total();
@@ -73,6 +75,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
 /// Flags over file over preset.
 fn scenario(arguments: &RunArguments) -> Result<Scenario, Failure> {
     let said = match &arguments.scenario {
+        Some(path) if path.extension().is_none() && !path.exists() => {
+            return Err(Failure::unknown_command(&path.to_string_lossy()));
+        }
         Some(path) => arguments.settings.clone().over(file::read(path)?),
         None => arguments.settings.clone(),
     };

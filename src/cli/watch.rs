@@ -122,3 +122,15 @@ fn progress_bar(steps: u64) -> ProgressBar {
     ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr_with_hz(10))
         .with_style(style)
 }
+
+/// Says, on terminals only, that a large box is being filled.
+pub(super) fn placing_spinner(quiet: bool) -> ProgressBar {
+    let spinner = if quiet {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::new_spinner()
+    };
+    spinner.set_message("placing the discs");
+    spinner.enable_steady_tick(Duration::from_millis(200));
+    spinner
+}

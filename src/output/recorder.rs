@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::OutputError;
+use super::checkpoint::refuse_foreign;
 use super::energy::EnergyFile;
 use super::live::LiveFrame;
 use super::replace::NewFile;
@@ -45,6 +46,7 @@ impl Recorder {
     /// Opens the work ledger of `simulation` if there is to be an `energy.csv`.
     pub fn create(plan: &OutputPlan, simulation: &mut Simulation) -> Result<Self, OutputError> {
         let folder = &plan.folder;
+        refuse_foreign(folder)?;
         std::fs::create_dir_all(folder).map_err(|source| OutputError::Create {
             path: folder.clone(),
             source,

@@ -68,55 +68,40 @@ impl Summary {
             wall_s,
             ..
         } = self;
-        let set_by = match self.dt_set_by {
-            "dt" => "set by --dt".to_owned(),
-            "auto" => "set by --dt auto".to_owned(),
-            "nt" => format!(
-                "Eq. (2), N_t = {:.6} set by --nt",
-                Short(self.steps_per_contact)
-            ),
-            _ => format!(
-                "Eq. (2), N_t = {:.6} set by the preset",
-                Short(self.steps_per_contact)
-            ),
-        };
         let stopped = if self.interrupted {
             ", interrupted"
         } else {
             ""
         };
+        let speed = 1e-6 * self.particle_steps_per_s;
+        let (start, end) = (self.energy_start_J, self.energy_end_J);
+        let dissipated = self.dissipated_J.map(|d| format!(", {d:.6e} J dissipated"));
+        let soft = cure.map(|cure| format!(": more than half a radius, discs too soft; {cure}"));
         writeln!(out, "n        {n} discs, preset {preset}, seed {seed}")?;
-        writeln!(out, "dt       {dt_s:.4e} s ({set_by}), {integrator}")?;
+        writeln!(
+            out,
+            "dt       {dt_s:.4e} s ({}), {integrator}",
+            self.who_set_dt()
+        )?;
         writeln!(out, "run      {steps} steps to t = {time_s:.6} s{stopped}")?;
         writeln!(
             out,
-            "speed    {wall_s:.2} s wall time, {:.3} million particle-steps/s",
-            1e-6 * self.particle_steps_per_s
+            "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s"
         )?;
-        write!(
-            out,
-            "energy   {:.6e} J at start, {:.6e} J at end",
-            self.energy_start_J, self.energy_end_J
-        )?;
-        match self.dissipated_J {
-            Some(dissipated) => writeln!(out, ", {dissipated:.6e} J dissipated")?,
-            None => writeln!(out)?,
-        }
+        write!(out, "energy   {start:.6e} J at start, {end:.6e} J at end")?;
+        writeln!(out, "{}", dissipated.unwrap_or_default())?;
         write!(out, "overlap  at most {:.3} r", self.max_overlap_over_r)?;
-        match cure {
-            Some(cure) => writeln!(out, ": more than half a radius, discs too soft; {cure}")?,
-            None => writeln!(out)?,
-        }
+        writeln!(out, "{}", soft.unwrap_or_default())?;
         writeln!(out, "state    {}", self.state_hash)
     }
-}
 
-/// A number without needless decimals.
-struct Short(f64);
-
-impl std::fmt::Display for Short {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let rounded = (self.0 * 1e6).round() / 1e6;
-        write!(f, "{rounded}")
+    fn who_set_dt(&self) -> String {
+        let nt = (1e6 * self.steps_per_contact).round() / 1e6; // 50, not 49.99999999999999
+        match self.dt_set_by {
+            "nt" => format!("Eq. (2), N_t = {nt} set by --nt"),
+            "dt" => format!("set by --dt, N_t = {nt:.3}"),
+            "auto" => format!("set by --dt auto, N_t = {nt:.3}"),
+            _ => format!("Eq. (2), N_t = {nt} set by the preset"),
+        }
     }
 }

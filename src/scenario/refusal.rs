@@ -105,56 +105,63 @@ impl Scenario {
             .map_or((step_flag, step), |(flag, value, _)| (flag, value))
     }
 
-    /// Up to four changes, each kept only if it makes the run stable.
+    /// Up to three changes, each kept only if it makes the run stable.
     fn ways_out(&self, fault: &str) -> Vec<String> {
-        let usual = self.preset.values();
-        let calm = Preset::Guide.values();
         let with = |step| Self {
             step,
             ..self.clone()
         };
-        let mut tries = Vec::new();
+        let nt = round_up(with(StepChoice::Nt(1.0)).dt() / self.limit().dt);
+        let mut tries = vec![
+            self.usual_value_of(fault),
+            (format!("--nt {nt}"), with(StepChoice::Nt(nt))),
+            ("--dt auto".to_owned(), with(StepChoice::Auto)),
+        ];
+        tries.dedup_by(|a, b| a.0 == b.0);
+        tries.retain(|(_, mended)| mended.is_stable());
+        tries.into_iter().map(|(way_out, _)| way_out).collect()
+    }
+
+    /// The flag that puts the parameter at fault back to its usual value, and what becomes of it.
+    fn usual_value_of(&self, fault: &str) -> (String, Self) {
+        let usual = self.preset.values();
         match fault {
             "--kn" => {
                 let mended = Self {
                     stiffness: usual.stiffness,
                     ..self.clone()
                 };
-                tries.push((format!("--kn {:e}", usual.stiffness), mended));
+                (format!("--kn {:e}", usual.stiffness), mended)
             }
             "--mass" => {
                 let mended = Self {
                     mass: usual.mass,
                     ..self.clone()
                 };
-                tries.push((format!("--mass {:e}", usual.mass), mended));
+                (format!("--mass {:e}", usual.mass), mended)
             }
-            "--eta" | "--gamma" | "--restitution" => {
-                let (flag, value) = calm.damping.flag_and_value();
-                let mended = Self {
-                    damping: calm.damping,
-                    ..self.clone()
-                };
-                tries.push((format!("{flag} {value:e}"), mended));
-            }
-            _ => {
-                let mended = with(usual.step);
+            "--nt" | "--dt" => {
                 let (flag, value) = usual.step.flag_and_value();
-                tries.push((format!("{flag} {value}"), mended));
+                (
+                    format!("{flag} {value}"),
+                    Self {
+                        step: usual.step,
+                        ..self.clone()
+                    },
+                )
             }
-        }
-        let nt = round_up(self.with_nt(1.0).dt() / self.limit().dt);
-        tries.push((format!("--nt {nt}"), with(StepChoice::Nt(nt))));
-        tries.push(("--dt auto".to_owned(), with(StepChoice::Auto)));
-        tries.dedup_by(|a, b| a.0 == b.0);
-        tries.retain(|(_, mended)| mended.is_stable());
-        tries.into_iter().map(|(way_out, _)| way_out).collect()
-    }
-
-    fn with_nt(&self, nt: f64) -> Self {
-        Self {
-            step: StepChoice::Nt(nt),
-            ..self.clone()
+            // A damping: the calm one, whatever the preset.
+            _ => {
+                let damping = Preset::Guide.values().damping;
+                let (flag, value) = damping.flag_and_value();
+                (
+                    format!("{flag} {value:e}"),
+                    Self {
+                        damping,
+                        ..self.clone()
+                    },
+                )
+            }
         }
     }
 }

@@ -1,6 +1,8 @@
 //! From what was said to a checked scenario.
 
 use super::error::ScenarioError;
+use super::exclusive;
+use super::quantity::Quantity;
 use super::range::{finite, not_negative, positive, radius_in, whole};
 use super::settings::{DiscSettings, DtSetting, PopulationSettings, Settings};
 use super::start;
@@ -18,57 +20,40 @@ impl Scenario {
         settings: &Settings,
         draw_seed: impl FnOnce() -> u64,
     ) -> Result<Self, ScenarioError> {
-        exclusive_choices(settings)?;
+        exclusive::check(settings)?;
         let preset = settings.preset.unwrap_or_default();
         let usual = preset.values();
-        let side = positive(
-            "side",
-            settings.side.map_or(usual.side, |q| q.si),
-            "--side 4cm",
-        )?;
-        let radius = settings.radius.map_or(usual.radius, |q| q.si);
-        let radius = radius_in(side, "radius", radius, settings.walls())?;
-        let mass = positive(
-            "mass",
-            settings.mass.map_or(usual.mass, |q| q.si),
-            "--mass 1g",
-        )?;
-        let speed = not_negative("speed", settings.speed.map_or(0.0, |q| q.si), "--speed 0.1")?;
+        let side = positive("side", si(settings.side, usual.side), "--side 4cm")?;
+        let radius = si(settings.radius, usual.radius);
+        let mass = si(settings.mass, usual.mass);
+        let gravity = si(settings.gravity, usual.gravity);
+        let stiffness = si(settings.kn, usual.stiffness);
+        let speed = si(settings.speed, 0.0);
+        let time = si(settings.time, 1.0);
         let (step, dt_set_by) = step_choice(settings, usual.step)?;
-        let seed = match settings.seed {
-            Some(seed) => whole("seed", seed, 0..=i64::MAX, "--seed 1")?,
-            None => draw_seed(),
-        };
         let mut scenario = Self {
             preset,
-            seed,
+            seed: seed(settings.seed, draw_seed)?,
             side,
-            radius,
-            mass,
-            gravity: finite("gravity", settings.gravity.map_or(usual.gravity, |q| q.si))?,
-            stiffness: positive(
-                "kn",
-                settings.kn.map_or(usual.stiffness, |q| q.si),
-                "--kn 5e4",
-            )?,
+            radius: radius_in(side, "radius", radius, settings.walls())?,
+            mass: positive("mass", mass, "--mass 1g")?,
+            gravity: finite("gravity", gravity)?,
+            stiffness: positive("kn", stiffness, "--kn 5e4")?,
             damping: damping_choice(settings, usual.damping)?,
             tension: !settings.no_tension.unwrap_or(false),
             walls: settings.walls(),
             step,
             dt_set_by,
-            time: not_negative("time", settings.time.map_or(1.0, |q| q.si), "--time 1s")?,
+            time: not_negative("time", time, "--time 1s")?,
             integrator: settings.integrator.unwrap_or_default(),
             allow_unstable: settings.allow_unstable.unwrap_or(false),
             placement: settings.placement.unwrap_or_default(),
-            speed,
+            speed: not_negative("speed", speed, "--speed 0.1")?,
             discs: DiscSource::Equal(usual.n),
             output: output_choices(settings)?,
         };
         scenario.discs = scenario.disc_source(settings, usual.n)?;
-        if let (false, Some(refusal)) = (scenario.allow_unstable, scenario.refusal()) {
-            return Err(ScenarioError::Unstable(refusal));
-        }
-        scenario.check_clock()?;
+        scenario.check_step()?;
         Ok(scenario)
     }
 
@@ -102,13 +87,9 @@ impl Scenario {
 
     fn listed_disc(&self, k: usize, said: &DiscSettings) -> Result<Particle, ScenarioError> {
         let field = |name: &str| format!("[[disc]] {}: {name}", k + 1);
-        let radius = said.radius.map_or(self.radius, |q| q.si);
+        let radius = si(said.radius, self.radius);
         let radius = radius_in(self.side, &field("radius"), radius, self.walls)?;
-        let mass = positive(
-            &field("mass"),
-            said.mass.map_or(self.mass, |q| q.si),
-            "mass = 1e-3",
-        )?;
+        let mass = positive(&field("mass"), si(said.mass, self.mass), "mass = 1e-3")?;
         let [x, y] = said.position.map(|q| q.si);
         let position = DVec2::new(
             finite(&field("position[0]"), x)?,
@@ -126,9 +107,9 @@ impl Scenario {
 
     fn population(&self, k: usize, said: &PopulationSettings) -> Result<Population, ScenarioError> {
         let field = |name: &str| format!("[[population]] {}: {name}", k + 1);
-        let radius = said.radius.map_or(self.radius, |q| q.si);
-        let mass = said.mass.map_or(self.mass, |q| q.si);
-        let speed = said.speed.map_or(self.speed, |q| q.si);
+        let radius = si(said.radius, self.radius);
+        let mass = si(said.mass, self.mass);
+        let speed = si(said.speed, self.speed);
         Ok(Population {
             n: whole(&field("n"), said.n, 1..=MOST_DISCS, "n = 20")? as usize,
             radius: radius_in(self.side, &field("radius"), radius, true)?,
@@ -137,9 +118,12 @@ impl Scenario {
         })
     }
 
-    /// The run must have a whole number of steps that can be counted, and at least one unless
-    /// no time at all was asked for.
-    fn check_clock(&self) -> Result<(), ScenarioError> {
+    /// The time step must be stable, and the run have a number of steps that can be counted: at
+    /// least one, unless no time at all was asked for.
+    fn check_step(&self) -> Result<(), ScenarioError> {
+        if let (false, Some(refusal)) = (self.allow_unstable, self.refusal()) {
+            return Err(ScenarioError::Unstable(refusal));
+        }
         let (dt, time) = (self.dt(), self.time);
         if time / dt >= 1e15 {
             let allowed = format!("at most 1e15 steps of dt = {dt:e} s");
@@ -163,111 +147,22 @@ impl Scenario {
     }
 }
 
+/// The value said, or `otherwise`, in SI units.
+fn si<D>(said: Option<Quantity<D>>, otherwise: f64) -> f64 {
+    said.map_or(otherwise, |quantity| quantity.si)
+}
+
+fn seed(said: Option<i64>, draw_seed: impl FnOnce() -> u64) -> Result<u64, ScenarioError> {
+    said.map_or_else(
+        || Ok(draw_seed()),
+        |seed| whole("seed", seed, 0..=i64::MAX, "--seed 1"),
+    )
+}
+
 impl Settings {
     fn walls(&self) -> bool {
         self.walls.unwrap_or(!self.no_walls.unwrap_or(false))
     }
-}
-
-fn exclusive_choices(settings: &Settings) -> Result<(), ScenarioError> {
-    let random = "the discs' number, size and place";
-    let said = [
-        (
-            "eta",
-            settings.eta.is_some(),
-            "gamma",
-            settings.gamma.is_some(),
-            "the damping",
-        ),
-        (
-            "eta",
-            settings.eta.is_some(),
-            "restitution",
-            settings.restitution.is_some(),
-            "the damping",
-        ),
-        (
-            "gamma",
-            settings.gamma.is_some(),
-            "restitution",
-            settings.restitution.is_some(),
-            "the damping",
-        ),
-        (
-            "nt",
-            settings.nt.is_some(),
-            "dt",
-            settings.dt.is_some(),
-            "the time step",
-        ),
-        (
-            "walls",
-            settings.walls.is_some(),
-            "no_walls",
-            settings.no_walls.is_some(),
-            "the walls",
-        ),
-        (
-            "start",
-            settings.start.is_some(),
-            "n",
-            settings.n.is_some(),
-            random,
-        ),
-        (
-            "start",
-            settings.start.is_some(),
-            "radius",
-            settings.radius.is_some(),
-            random,
-        ),
-        (
-            "start",
-            settings.start.is_some(),
-            "placement",
-            settings.placement.is_some(),
-            random,
-        ),
-        (
-            "start",
-            settings.start.is_some(),
-            "[[disc]]",
-            !settings.discs.is_empty(),
-            random,
-        ),
-        (
-            "start",
-            settings.start.is_some(),
-            "[[population]]",
-            !settings.populations.is_empty(),
-            random,
-        ),
-        (
-            "n",
-            settings.n.is_some(),
-            "[[disc]]",
-            !settings.discs.is_empty(),
-            random,
-        ),
-        (
-            "n",
-            settings.n.is_some(),
-            "[[population]]",
-            !settings.populations.is_empty(),
-            random,
-        ),
-    ];
-    for (one, has_one, other, has_other, what) in said {
-        if has_one && has_other {
-            let why = format!("both say {what}");
-            return Err(ScenarioError::Conflict {
-                one: one.into(),
-                other: other.into(),
-                why,
-            });
-        }
-    }
-    Ok(())
 }
 
 fn damping_choice(

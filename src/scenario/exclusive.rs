@@ -1,0 +1,53 @@
+//! Choices that exclude each other.
+
+use super::error::ScenarioError;
+use super::settings::Settings;
+
+/// Groups of which at most one member may be said, and what each of them says.
+const GROUPS: [(&[&str], &str); 10] = [
+    (&["eta", "gamma", "restitution"], "the damping"),
+    (&["nt", "dt"], "the time step"),
+    (&["walls", "no_walls"], "whether there are walls"),
+    (&["start", "n"], "how many discs there are"),
+    (&["start", "radius"], "the radii"),
+    (&["start", "placement"], "where the discs are"),
+    (&["start", "[[disc]]"], "where the discs are"),
+    (&["start", "[[population]]"], "where the discs are"),
+    (&["n", "[[disc]]"], "how many discs there are"),
+    (&["n", "[[population]]"], "how many discs there are"),
+];
+
+/// Refuses two choices of one group.
+pub(super) fn check(settings: &Settings) -> Result<(), ScenarioError> {
+    for (group, what) in GROUPS {
+        let mut said = group.iter().filter(|name| is_said(settings, name));
+        if let (Some(&one), Some(&other)) = (said.next(), said.next()) {
+            let why = format!("both say {what}");
+            return Err(ScenarioError::Conflict {
+                one: one.into(),
+                other: other.into(),
+                why,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn is_said(settings: &Settings, name: &str) -> bool {
+    match name {
+        "eta" => settings.eta.is_some(),
+        "gamma" => settings.gamma.is_some(),
+        "restitution" => settings.restitution.is_some(),
+        "nt" => settings.nt.is_some(),
+        "dt" => settings.dt.is_some(),
+        "walls" => settings.walls.is_some(),
+        "no_walls" => settings.no_walls.is_some(),
+        "start" => settings.start.is_some(),
+        "n" => settings.n.is_some(),
+        "radius" => settings.radius.is_some(),
+        "placement" => settings.placement.is_some(),
+        "[[disc]]" => !settings.discs.is_empty(),
+        "[[population]]" => !settings.populations.is_empty(),
+        _ => unreachable!("{name} is in no group"),
+    }
+}
