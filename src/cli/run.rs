@@ -23,11 +23,11 @@ pub(super) struct RunArguments {
     /// Scenario file (TOML); flags override it
     #[arg(value_name = "SCENARIO.toml")]
     scenario: Option<PathBuf>,
+    #[command(flatten)]
+    settings: Settings,
     /// Print every choice of the run as a scenario file, and do not run
     #[arg(long, help_heading = "Output")]
     print_config: bool,
-    #[command(flatten)]
-    settings: Settings,
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {

@@ -85,15 +85,16 @@ settings! {
     restitution: Quantity<Number>,
     /// Clip the contact force at zero: contacts never pull
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
-    #[arg(value_name = "BOOL", help_heading = "Physics")]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Physics")]
     no_tension: bool,
     /// No walls: an open plane
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
-    #[arg(value_name = "BOOL", help_heading = "Physics", conflicts_with = "walls")]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Physics")]
+    #[arg(conflicts_with = "walls")]
     no_walls: bool,
     /// Walls around the box [default: true]
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
-    #[arg(value_name = "BOOL", help_heading = "Physics", hide = true)]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Physics", hide = true)]
     walls: bool,
 
     /// Steps in a wall contact, N_t of Eq. (2) [default: 50]
@@ -111,7 +112,7 @@ settings! {
     integrator: IntegratorName,
     /// Run even if the time step is unstable, for the lesson
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
-    #[arg(value_name = "BOOL", help_heading = "Time")]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Time")]
     allow_unstable: bool,
 
     /// How discs are placed [default: random]
@@ -138,15 +139,15 @@ settings! {
     slowdown: Quantity<Number>,
     /// Add the guide's fictitious border discs to out.txt
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
-    #[arg(value_name = "BOOL", help_heading = "Output")]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Output")]
     border: bool,
     /// Summary as one JSON object on stdout
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
-    #[arg(value_name = "BOOL", help_heading = "Output")]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Output")]
     json: bool,
     /// No progress bar, no remarks, no text summary
-    #[arg(short = 'q', long, num_args = 0..=1, default_missing_value = "true")]
-    #[arg(value_name = "BOOL", require_equals = true, help_heading = "Output")]
+    #[arg(short = 'q', long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Output")]
     quiet: bool,
 }
 
