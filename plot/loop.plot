@@ -3,7 +3,8 @@
 # Other choices: gnuplot -e "file='runs/out.txt'; redraws=1; png='now.png'" plot/loop.plot
 if (!exists("file"))    file = 'out.txt'
 if (!exists("redraws")) redraws = -1        # without end
-if (exists("png"))      set terminal pngcairo size 700,700 ; set output png
+if (exists("png"))      { set terminal pngcairo size 700,700 ; set output png }
+if (!exists("png") && GPVAL_TERM eq "unknown") { set terminal dumb 79,40 } # no windows here: text
 
 set size ratio -1                           # discs to scale
 set key off
