@@ -32,10 +32,7 @@ impl Force for Bowl {
 pub fn main() {
     let scenario = Scenario::from_toml("n = 50\nseed = 1\ngravity = 0\nrestitution = 1").unwrap();
     let mut simulation = scenario.build().unwrap();
-    simulation.add_force(Box::new(Bowl {
-        centre: DVec2::splat(0.02),
-        stiffness: 1.0,
-    }));
+    simulation.add_force(Box::new(Bowl { centre: DVec2::splat(0.02), stiffness: 1.0 }));
     let ledger = EnergyLedger::open(&mut simulation);
     let start = MechanicalEnergy::of(&simulation).total();
 
@@ -44,16 +41,7 @@ pub fn main() {
     }
 
     let end = MechanicalEnergy::of(&simulation).total();
-    println!(
-        "t = {:.3} s, energy {start:.6e} J at start, {end:.6e} J at end",
-        simulation.time()
-    );
-    println!(
-        "work residue {:.1e} J",
-        ledger.row(&simulation).work_error_J
-    );
-    assert!(
-        (end / start - 1.0).abs() < 0.02,
-        "the energy does not match the force"
-    );
+    println!("t = {:.3} s, energy {start:.6e} J at start, {end:.6e} J at end", simulation.time());
+    println!("work residue {:.1e} J", ledger.row(&simulation).work_error_J);
+    assert!((end / start - 1.0).abs() < 0.02, "the energy does not match the force");
 }

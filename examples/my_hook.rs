@@ -45,14 +45,8 @@ pub fn main() {
     }
 
     let works = simulation.works().unwrap();
-    println!(
-        "after five taps: heap up to {highest:.4} m, now {:.4} m",
-        height(&simulation)
-    );
+    println!("after five taps: heap up to {highest:.4} m, now {:.4} m", height(&simulation));
     println!("the taps gave {:.3e} J", works.external.value());
     let residue = ledger.row(&simulation).work_error_J;
-    assert!(
-        residue.abs() < 1e-12,
-        "energy unaccounted for: {residue:e} J"
-    );
+    assert!(residue.abs() < 1e-12, "energy unaccounted for: {residue:e} J");
 }

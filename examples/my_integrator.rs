@@ -48,9 +48,5 @@ pub fn main() {
         println!("N_t = {nt}: velocity Verlet {verlet:.1e}, Forest-Ruth {mine:.1e}");
     }
     let gain = energy_error(Box::new(ForestRuth), 20) / energy_error(Box::new(ForestRuth), 40);
-    assert!(
-        (gain.log2() - 4.0).abs() < 0.3,
-        "not of fourth order: {:.2}",
-        gain.log2()
-    );
+    assert!((gain.log2() - 4.0).abs() < 0.3, "not of fourth order: {:.2}", gain.log2());
 }

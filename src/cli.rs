@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand.
 
+mod interrupt;
 mod presets;
 mod run;
 mod watch;
@@ -19,11 +20,7 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => {
             let _ = error.print(); // nowhere left to say that this failed
-            return if error.use_stderr() {
-                ExitCode::from(2)
-            } else {
-                ExitCode::SUCCESS
-            };
+            return if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
         }
     };
     let done = match cli.command {
@@ -61,10 +58,7 @@ Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 130 int
 /// energy.csv (the energy ledger). All values in SI units; a unit may be added: 4cm, 1ms, 2g.
 #[derive(Parser)]
 #[command(name = "parsim2d", version, after_help = EXAMPLES)]
-#[command(
-    args_conflicts_with_subcommands = true,
-    subcommand_precedence_over_arg = true
-)]
+#[command(args_conflicts_with_subcommands = true, subcommand_precedence_over_arg = true)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -89,11 +83,7 @@ enum Failure {
     #[error(transparent)]
     Output(#[from] OutputError),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
-    UnknownCommand {
-        word: String,
-        known: String,
-        advice: String,
-    },
+    UnknownCommand { word: String, known: String, advice: String },
     #[error("writing to standard output failed: {0}")]
     Stdout(#[from] io::Error),
 }
@@ -102,10 +92,7 @@ impl Failure {
     /// A single word that no file has for its name was probably meant as a subcommand.
     fn unknown_command(word: &str) -> Self {
         let command = Cli::command();
-        let known: Vec<&str> = command
-            .get_subcommands()
-            .map(clap::Command::get_name)
-            .collect();
+        let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
         let advice = did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?"));
         Self::UnknownCommand {
             word: word.to_owned(),

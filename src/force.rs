@@ -96,13 +96,8 @@ impl HalfPlane {
     pub fn square(side: f64) -> [Self; 4] {
         let low = DVec2::ZERO;
         let high = DVec2::splat(side);
-        [
-            (low, DVec2::NEG_X),
-            (high, DVec2::X),
-            (low, DVec2::NEG_Y),
-            (high, DVec2::Y),
-        ]
-        .map(|(point, normal)| Self { point, normal })
+        [(low, DVec2::NEG_X), (high, DVec2::X), (low, DVec2::NEG_Y), (high, DVec2::Y)]
+            .map(|(point, normal)| Self { point, normal })
     }
 
     /// How far `position` (m) is inside the wall's line, m; negative beyond it.

@@ -41,8 +41,7 @@ impl Neighbours {
         self.choose_skin(particles);
         self.grid.fill(particles, self.skin);
         self.pairs.clear();
-        self.grid
-            .append_pairs(particles, self.skin, &mut self.pairs);
+        self.grid.append_pairs(particles, self.skin, &mut self.pairs);
         self.listed_at.clear();
         self.listed_at.extend(particles.iter().map(|p| p.position));
         self.life = 0;
@@ -102,7 +101,8 @@ impl CellGrid {
         self.lay_out(particles, 2.0 * largest_radius(particles) + skin);
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
-        for p in particles {
+        // A disc whose position is no number touches nobody.
+        for p in particles.iter().filter(|p| p.position.is_finite()) {
             let cell = self.cell_of(p.position);
             self.starts[cell] += 1;
         }
@@ -112,7 +112,8 @@ impl CellGrid {
             *start = end;
         }
         self.ids.resize(particles.len(), 0);
-        for (id, p) in particles.iter().enumerate().rev() {
+        let finite = particles.iter().enumerate().filter(|(_, p)| p.position.is_finite());
+        for (id, p) in finite.rev() {
             let cell = self.cell_of(p.position);
             self.starts[cell] -= 1;
             self.ids[self.starts[cell] as usize] = id as u32;
@@ -149,7 +150,7 @@ impl CellGrid {
 
     /// Adds all pairs closer than touching plus `skin`, in lexicographic order.
     fn append_pairs(&self, particles: &[Particle], skin: f64, pairs: &mut Vec<[u32; 2]>) {
-        for (i, p) in particles.iter().enumerate() {
+        for (i, p) in particles.iter().enumerate().filter(|(_, p)| p.position.is_finite()) {
             let (column, row) = self.column_and_row(p.position);
             let first = pairs.len();
             for row in row.saturating_sub(1)..(row + 2).min(self.rows) {

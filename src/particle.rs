@@ -27,13 +27,7 @@ pub struct Particle {
 impl Particle {
     /// A disc at rest, with no force on it yet.
     pub fn at_rest(position: DVec2, radius: f64, mass: f64) -> Self {
-        Self {
-            position,
-            velocity: DVec2::ZERO,
-            force: DVec2::ZERO,
-            radius,
-            mass,
-        }
+        Self { position, velocity: DVec2::ZERO, force: DVec2::ZERO, radius, mass }
     }
 
     /// First half of Eq. (3): v' = v + a dt, with a = F/m. `dt` in s.
@@ -98,11 +92,7 @@ impl Contact {
         let reach = i.radius + j.radius;
         if distance_squared < reach * reach {
             let distance = distance_squared.sqrt();
-            let normal = if distance > 0.0 {
-                separation / distance
-            } else {
-                DVec2::X
-            };
+            let normal = if distance > 0.0 { separation / distance } else { DVec2::X };
             Some(Self {
                 overlap: reach - distance,
                 normal,
@@ -169,9 +159,7 @@ impl ContactLaw for SpringDashpot {
     /// ```
     #[inline]
     fn push(&self, contact: &Contact) -> f64 {
-        let eta = self
-            .damping
-            .coefficient(self.stiffness, contact.reduced_mass);
+        let eta = self.damping.coefficient(self.stiffness, contact.reduced_mass);
         let push = self.stiffness * contact.overlap + eta * contact.approach_speed;
         if self.tension { push } else { push.max(0.0) }
     }

@@ -103,12 +103,7 @@ pub fn at_random(
         loop {
             if tried == most_tries || room <= 0.0 {
                 let placed = fixed + placed;
-                return Err(PlacementError::NoRoomAtRandom {
-                    asked,
-                    placed,
-                    tried,
-                    fraction,
-                });
+                return Err(PlacementError::NoRoomAtRandom { asked, placed, tried, fraction });
             }
             tried += 1;
             let random = DVec2::new(uniform(generator), uniform(generator));
@@ -124,14 +119,14 @@ pub fn at_random(
 }
 
 fn most_tries(asked: usize, fraction: f64) -> u64 {
+    if fraction >= 1.0 {
+        return 0;
+    }
     // Thousands of discs above the limit have no hope: a short search shows it.
-    let hopeless = asked >= 1000 && fraction > RANDOM_LIMIT + 0.02;
-    let per_disc = if hopeless {
-        TRIES_PER_DISC / 300
-    } else {
-        TRIES_PER_DISC
-    };
-    (per_disc * asked as u64).clamp(*TRIES.start(), *TRIES.end())
+    if asked >= 1000 && fraction > RANDOM_LIMIT + 0.02 {
+        return TRIES.start().max(&(10 * asked as u64)).min(&20_000_000).to_owned();
+    }
+    (TRIES_PER_DISC * asked as u64).clamp(*TRIES.start(), *TRIES.end())
 }
 
 /// Rounding may put a centre a hair too close to a wall.
@@ -178,23 +173,20 @@ impl PlacedGrid {
         let (column, row) = self.column_and_row(position);
         let columns = column.saturating_sub(1)..=(column + 1).min(self.columns - 1);
         let rows = row.saturating_sub(1)..=(row + 1).min(self.columns - 1);
-        rows.flat_map(|row| {
-            columns
-                .clone()
-                .map(move |column| row * self.columns + column)
-        })
-        .all(|cell| {
-            let mut id = self.newest[cell];
-            while id != NOBODY {
-                let other = &particles[id as usize];
-                let reach = radius + other.radius;
-                if position.distance_squared(other.position) <= reach * reach {
-                    return false;
+        rows.flat_map(|row| columns.clone().map(move |column| row * self.columns + column)).all(
+            |cell| {
+                let mut id = self.newest[cell];
+                while id != NOBODY {
+                    let other = &particles[id as usize];
+                    let reach = radius + other.radius;
+                    if position.distance_squared(other.position) <= reach * reach {
+                        return false;
+                    }
+                    id = self.older[id as usize];
                 }
-                id = self.older[id as usize];
-            }
-            true
-        })
+                true
+            },
+        )
     }
 }
 
@@ -211,22 +203,12 @@ pub fn lattice(
     let asked = particles.len();
     let kinds = [Lattice::Triangular, Lattice::Square];
     let spacings = kinds.map(|kind| kind.widest_spacing(asked, room));
-    let (kind, spacing) = if spacings[0] >= spacings[1] {
-        (kinds[0], spacings[0])
-    } else {
-        (kinds[1], spacings[1])
-    };
+    let (kind, spacing) =
+        if spacings[0] >= spacings[1] { (kinds[0], spacings[0]) } else { (kinds[1], spacings[1]) };
     let gap = spacing - 2.0 * radius;
     if room < 0.0 || gap < 1e-6 * radius {
-        let (sites, fraction) = (
-            lattice_capacity(radius, side),
-            packing_fraction(particles, side),
-        );
-        return Err(PlacementError::NoRoomOnLattice {
-            asked,
-            sites,
-            fraction,
-        });
+        let (sites, fraction) = (lattice_capacity(radius, side), packing_fraction(particles, side));
+        return Err(PlacementError::NoRoomOnLattice { asked, sites, fraction });
     }
     // Less than half the gap each way: two neighbours moved towards each other do not touch.
     let jitter = 0.4 * gap.min(radius);
@@ -284,11 +266,7 @@ impl Lattice {
         let rows = (room / rise) as usize + 1;
         let row = move |k: usize| {
             let left = if k % 2 == 1 { shift } else { 0.0 };
-            let columns = if left > room {
-                0
-            } else {
-                ((room - left) / spacing) as usize + 1
-            };
+            let columns = if left > room { 0 } else { ((room - left) / spacing) as usize + 1 };
             (0..columns).map(move |c| DVec2::new(left + c as f64 * spacing, k as f64 * rise))
         };
         (0..rows).flat_map(row)

@@ -3,10 +3,13 @@
 //!
 //! Values come in layers: preset, then scenario file, then flags.
 
+mod discs;
 pub mod error;
 mod exclusive;
 pub mod file;
 pub mod notes;
+mod number;
+mod place;
 pub mod preset;
 mod printed;
 pub mod quantity;
@@ -130,8 +133,15 @@ pub enum DiscSource {
     Equal(usize),
     /// Listed discs first, then groups placed by the program around them.
     Listed(Vec<Particle>, Vec<Population>),
-    /// A frame of a file: the file and frame as said, and the discs read.
-    Frame(String, Vec<Particle>),
+    /// A frame of a file.
+    Frame {
+        /// The file and frame as said.
+        said: String,
+        /// The discs read.
+        discs: Vec<Particle>,
+        /// Whether the file has columns for velocities.
+        has_velocities: bool,
+    },
 }
 
 /// A group of equal discs placed by the program.
@@ -187,21 +197,19 @@ impl Scenario {
             DiscSource::Listed(listed, groups) => {
                 listed.len() + groups.iter().map(|group| group.n).sum::<usize>()
             }
-            DiscSource::Frame(_, discs) => discs.len(),
+            DiscSource::Frame { discs, .. } => discs.len(),
         }
     }
 
     /// Masses of the lightest and the heaviest disc, kg.
     pub fn mass_range(&self) -> (f64, f64) {
         match &self.discs {
-            DiscSource::Equal(_) | DiscSource::Frame(..) => (self.mass, self.mass),
+            DiscSource::Equal(_) | DiscSource::Frame { .. } => (self.mass, self.mass),
             DiscSource::Listed(listed, groups) => {
                 let masses = listed.iter().map(|disc| disc.mass);
                 masses
                     .chain(groups.iter().map(|group| group.mass))
-                    .fold((f64::INFINITY, 0.0), |(low, high), m| {
-                        (low.min(m), high.max(m))
-                    })
+                    .fold((f64::INFINITY, 0.0), |(low, high), m| (low.min(m), high.max(m)))
             }
         }
     }
@@ -211,14 +219,12 @@ impl Scenario {
         let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
             DiscSource::Equal(_) => return (self.radius, self.radius),
             DiscSource::Listed(listed, groups) => (listed, groups),
-            DiscSource::Frame(_, discs) => (discs, &[]),
+            DiscSource::Frame { discs, .. } => (discs, &[]),
         };
         let radii = listed.iter().map(|disc| disc.radius);
         radii
             .chain(groups.iter().map(|group| group.radius))
-            .fold((f64::INFINITY, 0.0), |(low, high), r| {
-                (low.min(r), high.max(r))
-            })
+            .fold((f64::INFINITY, 0.0), |(low, high), r| (low.min(r), high.max(r)))
     }
 
     /// The contact law, the same for pairs and walls.
@@ -238,11 +244,7 @@ impl Scenario {
 
     /// When a contact ends under this scenario's law.
     pub fn contact_end(&self) -> ContactEnd {
-        if self.tension {
-            ContactEnd::OverlapZero
-        } else {
-            ContactEnd::ForceZero
-        }
+        if self.tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero }
     }
 
     /// The stable limit on the time step.
@@ -268,16 +270,12 @@ impl Scenario {
     /// What to write where and how often, with the defaults filled in.
     pub fn output_plan(&self) -> OutputPlan {
         let (n, steps, output) = (self.n(), self.steps(), &self.output);
-        let frame_every = output
-            .every
-            .unwrap_or_else(|| trajectory::default_every(n, steps));
+        let frame_every = output.every.unwrap_or_else(|| trajectory::default_every(n, steps));
         OutputPlan {
             folder: output.folder.clone(),
             frame_every,
             live_follows_frames: output.every.is_some(),
-            energy_every: output
-                .energy_every
-                .unwrap_or_else(|| energy::default_every(steps)),
+            energy_every: output.energy_every.unwrap_or_else(|| energy::default_every(steps)),
             side: self.side,
             border: output.border.then_some(self.radius),
         }
@@ -294,26 +292,14 @@ impl Scenario {
         let law = self.law();
         let mut forces: Vec<Box<dyn Force>> = Vec::new();
         if self.walls {
-            forces.push(Box::new(Walls {
-                law,
-                planes: HalfPlane::square(self.side).to_vec(),
-            }));
+            forces.push(Box::new(Walls { law, planes: HalfPlane::square(self.side).to_vec() }));
         }
-        forces.push(Box::new(Contacts {
-            law,
-            neighbours: Neighbours::default(),
-        }));
+        forces.push(Box::new(Contacts { law, neighbours: Neighbours::default() }));
         let integrator: Box<dyn Integrator> = match self.integrator {
             IntegratorName::SymplecticEuler => Box::new(SymplecticEuler),
             IntegratorName::ExplicitEuler => Box::new(ExplicitEuler),
             IntegratorName::VelocityVerlet => Box::new(VelocityVerlet),
         };
-        Ok(Simulation::new(
-            particles,
-            self.gravity_vector(),
-            forces,
-            integrator,
-            self.dt(),
-        ))
+        Ok(Simulation::new(particles, self.gravity_vector(), forces, integrator, self.dt()))
     }
 }

@@ -116,12 +116,7 @@ impl Simulation {
             has_external_forces: false,
         };
         discs.update_forces();
-        Self {
-            discs,
-            integrator,
-            dt,
-            steps: 0,
-        }
+        Self { discs, integrator, dt, steps: 0 }
     }
 
     /// One time step.
@@ -211,10 +206,7 @@ impl Simulation {
             [x.x, x.y, v.x, v.y, p.radius, p.mass].map(f64::to_bits)
         });
         let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-        for byte in std::iter::once(self.steps)
-            .chain(words)
-            .flat_map(u64::to_le_bytes)
-        {
+        for byte in std::iter::once(self.steps).chain(words).flat_map(u64::to_le_bytes) {
             hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
         hash

@@ -12,10 +12,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ("force", &["particle", "neighbours"]),
     ("work", &["particle", "force"]),
     ("placement", &["particle", "neighbours"]),
-    (
-        "simulation",
-        &["particle", "force", "integrator", "placement", "work"],
-    ),
+    ("simulation", &["particle", "force", "integrator", "placement", "work"]),
     ("analysis", &["particle", "work", "simulation"]),
     ("output", &["simulation", "analysis"]),
     (
@@ -47,15 +44,8 @@ const PHYSICS: [&str; 8] = [
     "simulation",
     "analysis",
 ];
-const PHYSICS_CRATES: [&str; 7] = [
-    "std",
-    "glam",
-    "rand",
-    "rand_pcg",
-    "thiserror",
-    "serde",
-    "crate",
-];
+const PHYSICS_CRATES: [&str; 7] =
+    ["std", "glam", "rand", "rand_pcg", "thiserror", "serde", "crate"];
 
 #[test]
 fn arrows_go_one_way() {
@@ -65,27 +55,15 @@ fn arrows_go_one_way() {
         let Some(target) = word.strip_prefix("crate::") else {
             continue;
         };
-        let target = target
-            .split(|c: char| !c.is_alphanumeric() && c != '_')
-            .next()
-            .unwrap();
+        let target = target.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap();
         if target == room {
             continue;
         }
         seen += 1;
-        let may = allowed
-            .get(room.as_str())
-            .unwrap_or_else(|| panic!("no arrows for room {room}"));
-        assert!(
-            may.contains(&target),
-            "{} uses crate::{target}",
-            path.display()
-        );
+        let may = allowed.get(room.as_str()).unwrap_or_else(|| panic!("no arrows for room {room}"));
+        assert!(may.contains(&target), "{} uses crate::{target}", path.display());
     }
-    assert!(
-        seen > 20,
-        "only {seen} arrows were found: does this test still read the sources?"
-    );
+    assert!(seen > 20, "only {seen} arrows were found: does this test still read the sources?");
 }
 
 #[test]
@@ -99,11 +77,7 @@ fn physics_knows_no_files_formats_or_command_line() {
             path.display()
         );
         for forbidden in ["std::fs", "std::io", "std::time", "std::net", "std::env"] {
-            assert!(
-                !word.starts_with(forbidden),
-                "{} uses {word}",
-                path.display()
-            );
+            assert!(!word.starts_with(forbidden), "{} uses {word}", path.display());
         }
     }
 }
@@ -115,12 +89,7 @@ fn uses() -> impl Iterator<Item = (String, PathBuf, String)> {
     files.into_iter().flat_map(move |path| {
         let inside = path.strip_prefix(&source).unwrap().to_owned();
         let first = inside.components().next().unwrap().as_os_str();
-        let room = Path::new(first)
-            .file_stem()
-            .unwrap()
-            .to_str()
-            .unwrap()
-            .to_owned();
+        let room = Path::new(first).file_stem().unwrap().to_str().unwrap().to_owned();
         let text = fs::read_to_string(&path).unwrap();
         let lines: Vec<_> = text
             .lines()
@@ -133,17 +102,9 @@ fn uses() -> impl Iterator<Item = (String, PathBuf, String)> {
 }
 
 fn files_below(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     entries
-        .flat_map(|path| {
-            if path.is_dir() {
-                files_below(&path)
-            } else {
-                vec![path]
-            }
-        })
+        .flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] })
         .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
         .collect()
 }

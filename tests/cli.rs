@@ -103,10 +103,8 @@ fn the_seed_that_is_printed_repeats_the_run() {
 fn a_run_without_terminal_prints_no_progress_bar_and_quiet_prints_nothing() {
     let (output, _folder) = outcome(&["-n", "5", "--time", "1ms"]);
     let notes = text(&output.stderr);
-    assert!(
-        notes.lines().all(|line| line.starts_with("note: ")),
-        "{notes}"
-    );
+    assert!(notes.contains("drawn; --seed"), "{notes}");
+    assert!(notes.lines().all(|line| line.starts_with("note: ")), "{notes}");
     let (output, _folder) = outcome(&["-n", "5", "--time", "1ms", "-q"]);
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
 }
@@ -115,11 +113,7 @@ fn a_run_without_terminal_prints_no_progress_bar_and_quiet_prints_nothing() {
 fn the_guides_damping_is_explained_in_one_line_by_every_default_run() {
     let (output, _folder) = outcome(&["-n", "1", "--time", "0"]);
     let notes = text(&output.stderr);
-    assert_eq!(
-        notes.lines().filter(|line| line.contains("1.5e3")).count(),
-        1,
-        "{notes}"
-    );
+    assert_eq!(notes.lines().filter(|line| line.contains("1.5e3")).count(), 1, "{notes}");
 }
 
 #[test]
@@ -130,18 +124,15 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
         (&["--radius", "nan"], "radius = NaN is not possible"),
         (&["--side", "-1"], "side = -1 is not possible"),
         (&["--mass", "inf"], "mass = inf is not possible"),
-        (&["--radius", "0.1"], "0.1 mm is 0.0001 m"),
+        (&["--radius", "0.1"], "0.1 mm is 1e-4 m"),
         (&["--nt", "0.9"], "nt = 0.9 is not possible"),
         (&["--eta", "-1"], "eta = -1 is not possible"),
         (&["--eta", "1", "--gamma", "1"], "cannot be used with"),
         (&["--nt", "50", "--dt", "auto"], "cannot be used with"),
         (&["--preset", "guidd"], "guide-listing"),
         (&["--dtt", "1"], "--dt"),
-        (&["--eta", "1.5e3"], "the parameter at fault: --eta = 1.5e3"),
-        (
-            &["-n", "1000", "--radius", "5.6e-4"],
-            "way out: --placement lattice",
-        ),
+        (&["--eta", "1.5e3"], "the parameter at fault: --eta = 1500"),
+        (&["-n", "1000", "--radius", "5.6e-4"], "way out: --placement lattice"),
         (&["no_such.toml"], "cannot read the scenario no_such.toml"),
         (
             &["preset"],
@@ -150,6 +141,12 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
         (&["--slowdown", "0"], "slowdown = 0 is not possible"),
         (&["--every", "0"], "every = 0 is not possible"),
         (&["--time", "-1"], "time = -1 is not possible"),
+        (&["-n", "1.5"], "not a whole number"),
+        (&["-n", "100000000"], "packing fraction 1963"),
+        (&["--side", "-4cm"], "side = -0.04 is not possible"),
+        (&["--radius", "1,5e-4"], "write a dot, not a comma"),
+        (&["--start", "no_such.txt:abc"], "K is a whole number from 0"),
+        (&["--out-dir", "out.txt"], "it is a file"),
         (&["--start", "no_such.txt"], "cannot start from no_such.txt"),
     ] {
         let folder = tempfile::tempdir().unwrap();
@@ -157,19 +154,9 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
         let output = command(folder.path(), arguments).output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         let message = text(&output.stderr);
-        assert!(
-            message.contains(reason),
-            "{arguments:?}: {reason:?} is not in\n{message}"
-        );
-        assert_eq!(
-            fs::read_dir(folder.path()).unwrap().count(),
-            1,
-            "{arguments:?} wrote a file"
-        );
-        assert_eq!(
-            fs::read_to_string(folder.path().join("out.txt")).unwrap(),
-            "precious"
-        );
+        assert!(message.contains(reason), "{arguments:?}: {reason:?} is not in\n{message}");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "{arguments:?} wrote a file");
+        assert_eq!(fs::read_to_string(folder.path().join("out.txt")).unwrap(), "precious");
     }
 }
 
@@ -178,49 +165,30 @@ fn a_folder_that_is_a_file_is_found_before_the_first_step() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("file"), "").unwrap();
     for out_dir in ["file", "file/below"] {
-        let output = command(folder.path(), &["--out-dir", out_dir])
-            .output()
-            .unwrap();
+        let output = command(folder.path(), &["--out-dir", out_dir]).output().unwrap();
         assert_eq!(output.status.code(), Some(2));
         assert!(text(&output.stderr).contains(out_dir));
     }
     // A folder that is not there is made.
-    let output = command(folder.path(), &["--out-dir", "new/deep", "--time", "0"])
-        .output()
-        .unwrap();
+    let output =
+        command(folder.path(), &["--out-dir", "new/deep", "--time", "0"]).output().unwrap();
     assert!(output.status.success());
     assert!(folder.path().join("new/deep/out.txt").exists());
 }
 
 #[test]
 fn a_checkpoint_of_another_version_is_not_made_useless() {
-    for (content, format) in [
-        ("parsim2d checkpoint 7\n...", "format 7"),
-        ("", "unknown format"),
-    ] {
+    for (content, format) in [("parsim2d checkpoint 7\n...", "format 7"), ("", "unknown format")] {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("parsim2d.ckpt"), content).unwrap();
         fs::write(folder.path().join("model.ckpt"), "of another program").unwrap();
         let output = command(folder.path(), &["--time", "1ms"]).output().unwrap();
         assert_eq!(output.status.code(), Some(2));
         let message = text(&output.stderr);
-        assert!(
-            message.contains(format) && message.contains("way out"),
-            "{message}"
-        );
-        assert_eq!(
-            fs::read_dir(folder.path()).unwrap().count(),
-            2,
-            "something was written"
-        );
+        assert!(message.contains(format) && message.contains("way out"), "{message}");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "something was written");
         fs::remove_file(folder.path().join("parsim2d.ckpt")).unwrap();
-        assert!(
-            command(folder.path(), &["--time", "1ms"])
-                .output()
-                .unwrap()
-                .status
-                .success()
-        );
+        assert!(command(folder.path(), &["--time", "1ms"]).output().unwrap().status.success());
     }
 }
 
@@ -236,34 +204,20 @@ fn print_config_is_a_scenario_that_reproduces_the_run() {
     };
     for arguments in [
         &["-n", "10", "--radius", "4e-4", "--time", "20ms"][..],
+        &["-n", "10", "--restitution", "0.7", "--no-tension", "--dt", "auto", "--time", "20ms"],
+        &["--preset", "guide-mass-scaled", "--gravity", "-3", "--time", "20ms", "--speed", "0.2"],
+        &["--preset", "guide-printed", "--time", "0.1ms", "--integrator", "velocity-verlet"],
         &[
-            "-n",
-            "10",
-            "--restitution",
-            "0.7",
-            "--no-tension",
-            "--dt",
-            "auto",
-            "--time",
-            "20ms",
-        ],
-        &[
-            "--preset",
-            "guide-mass-scaled",
+            "--gamma",
+            "21/s",
+            "--kn",
+            "60 kN/m",
             "--gravity",
-            "-3",
+            "-9.81m/s2",
             "--time",
-            "20ms",
-            "--speed",
-            "0.2",
-        ],
-        &[
-            "--preset",
-            "guide-printed",
-            "--time",
-            "0.1ms",
-            "--integrator",
-            "velocity-verlet",
+            "1e1 ms",
+            "-n",
+            "1e1",
         ],
     ] {
         let (config, _) = run(&[arguments, &["--print-config", "--seed", "8"]].concat());
@@ -272,10 +226,7 @@ fn print_config_is_a_scenario_that_reproduces_the_run() {
         let (_, second) = run(&["run", "again.toml"]);
         assert_eq!(first, second, "{arguments:?}");
         let (config, _) = run(&["again.toml", "--print-config"]);
-        assert_eq!(
-            config,
-            fs::read_to_string(folder.path().join("again.toml")).unwrap()
-        );
+        assert_eq!(config, fs::read_to_string(folder.path().join("again.toml")).unwrap());
     }
 }
 
@@ -312,21 +263,14 @@ fn every_example_of_the_help_runs() {
             .collect();
         assert!(lines.len() >= 5, "{help}");
         for line in lines {
-            let words = line
-                .trim_start_matches(' ')
-                .split("  ")
-                .next()
-                .unwrap_or_default();
+            let words = line.trim_start_matches(' ').split("  ").next().unwrap_or_default();
             let words = if line.starts_with("   ") { "" } else { words };
             let mut arguments: Vec<&str> = words.split_whitespace().collect();
             // The run as shown, cut short; what a flag says last would count twice.
             if !arguments.contains(&"--time") {
                 arguments.extend(["--time", "1ms"]);
             }
-            command(folder.path(), &arguments)
-                .timeout(Duration::from_secs(60))
-                .assert()
-                .success();
+            command(folder.path(), &arguments).timeout(Duration::from_secs(60)).assert().success();
         }
     }
 }
@@ -335,13 +279,7 @@ fn every_example_of_the_help_runs() {
 fn help_names_units_and_defaults() {
     let (output, _folder) = outcome(&["-h"]);
     let help = text(&output.stdout);
-    for part in [
-        "k_n [default: 5e4]",
-        "<N/M>",
-        "eta_n [default: 1.5e-3]",
-        "<KG/S>",
-        "Eq. (2)",
-    ] {
+    for part in ["k_n [default: 5e4]", "<N/M>", "eta_n [default: 1.5e-3]", "<KG/S>", "Eq. (2)"] {
         assert!(help.contains(part), "{part:?} is not in\n{help}");
     }
 }
@@ -350,36 +288,41 @@ fn help_names_units_and_defaults() {
 fn presets_are_listed_with_their_numbers() {
     let (output, _folder) = outcome(&["presets"]);
     let list = text(&output.stdout);
-    for name in [
-        "guide ",
-        "guide-listing",
-        "guide-printed",
-        "guide-mass-scaled",
-    ] {
-        assert!(
-            list.lines().any(|line| line.starts_with(name)),
-            "{name} is not in\n{list}"
-        );
+    for name in ["guide ", "guide-listing", "guide-printed", "guide-mass-scaled"] {
+        assert!(list.lines().any(|line| line.starts_with(name)), "{name} is not in\n{list}");
     }
 }
 
 #[test]
 fn an_unstable_run_asked_for_ends_and_says_so() {
-    let arguments = [
-        "--eta",
-        "1.5e3",
-        "--allow-unstable",
-        "-n",
-        "50",
-        "--time",
-        "50ms",
-        "--json",
-    ];
+    let arguments = ["--eta", "1.5e3", "--allow-unstable", "-n", "50", "--time", "50ms", "--json"];
     let (output, _folder) = outcome(&arguments);
     assert!(output.status.success());
     assert!(text(&output.stderr).contains("unstable on purpose"));
     let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(summary["state_hash"].is_string(), "{summary}");
+    let arguments = ["--eta", "1.5e3", "--allow-unstable", "-n", "50", "--time", "50ms"];
+    let (output, _folder) = outcome(&arguments);
+    let summary = text(&output.stdout);
+    assert!(summary.contains("the numbers have overflowed"), "{summary}");
+    assert!(!summary.contains("try --"), "{summary}");
+}
+
+#[test]
+fn two_runs_in_one_folder_do_not_spoil_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let start = |n: &str| {
+        std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+            .args(["-n", n, "--time", "0.3", "-q", "--every", "100"])
+            .current_dir(&folder)
+            .spawn()
+            .unwrap()
+    };
+    for mut child in [start("20"), start("30")] {
+        assert!(child.wait().unwrap().success());
+    }
+    let rows = fs::read_to_string(folder.path().join("out.txt")).unwrap().lines().count();
+    assert!(rows == 21 || rows == 31, "{rows}");
 }
 
 #[cfg(unix)]
@@ -390,17 +333,7 @@ mod signals {
     fn interrupted(signal: &str, delay: Duration) -> (Output, TempDir) {
         let folder = tempfile::tempdir().unwrap();
         let child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
-            .args([
-                "-n",
-                "20",
-                "--time",
-                "100",
-                "--slowdown",
-                "3",
-                "--seed",
-                "1",
-                "--json",
-            ])
+            .args(["-n", "20", "--time", "100", "--slowdown", "3", "--seed", "1", "--json"])
             .args(["--every", "100", "--energy-every", "100"])
             .current_dir(&folder)
             .stdout(Stdio::piped())
@@ -409,13 +342,7 @@ mod signals {
             .unwrap();
         std::thread::sleep(delay);
         let id = child.id().to_string();
-        assert!(
-            std::process::Command::new("kill")
-                .args([signal, &id])
-                .status()
-                .unwrap()
-                .success()
-        );
+        assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
         (child.wait_with_output().unwrap(), folder)
     }
 
@@ -435,28 +362,56 @@ mod signals {
             assert_eq!(out.lines().count(), 21);
             let trajectory = read("trajectory.txt");
             let frames: Vec<&str> = trajectory.split("\n\n\n").collect();
-            assert!(
-                frames
-                    .iter()
-                    .all(|frame| frame.trim_end().lines().count() == 21)
-            );
-            assert!(
-                frames
-                    .last()
-                    .unwrap()
-                    .starts_with(&format!("# step {step} "))
-            );
+            assert!(frames.iter().all(|frame| frame.trim_end().lines().count() == 21));
+            assert!(frames.last().unwrap().starts_with(&format!("# step {step} ")));
             let energy = read("energy.csv");
-            assert!(
-                energy
-                    .lines()
-                    .last()
-                    .unwrap()
-                    .starts_with(&format!("{step},")),
-                "{energy}"
-            );
+            assert!(energy.lines().last().unwrap().starts_with(&format!("{step},")), "{energy}");
             assert!(energy.ends_with('\n'));
             assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+        }
+    }
+
+    #[test]
+    fn a_signal_sent_twice_at_once_still_leaves_complete_files() {
+        // timeout(1) sends its signal to the process and to its group.
+        let folder = tempfile::tempdir().unwrap();
+        let output = std::process::Command::new("timeout")
+            .args(["0.4", env!("CARGO_BIN_EXE_parsim2d"), "--slowdown", "50", "--json"])
+            .args(["--every", "10"])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(summary["interrupted"], true);
+        let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
+        assert!(out.starts_with(&format!("# step {} ", summary["steps"])), "{out}");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+    }
+
+    #[test]
+    fn a_signal_during_the_first_frame_keeps_old_files_or_leaves_whole_ones() {
+        for delay in [50, 150, 300, 500, 700] {
+            let folder = tempfile::tempdir().unwrap();
+            let names = ["out.txt", "trajectory.txt", "energy.csv"];
+            for name in names {
+                fs::write(folder.path().join(name), "precious").unwrap();
+            }
+            let child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+                .args(["-n", "200000", "--radius", "1e-5", "-q"])
+                .current_dir(&folder)
+                .spawn()
+                .unwrap();
+            std::thread::sleep(Duration::from_millis(delay));
+            let id = child.id().to_string();
+            assert!(
+                std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success()
+            );
+            let output = child.wait_with_output().unwrap();
+            assert_eq!(output.status.code(), Some(130));
+            let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
+            let kept = out == "precious";
+            assert!(kept || out.lines().count() == 200_001, "{delay} ms: {}", out.lines().count());
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3, "{delay} ms");
         }
     }
 
@@ -476,9 +431,6 @@ mod signals {
             .unwrap();
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{message}");
-        assert!(
-            message.contains("writing ./trajectory.txt failed"),
-            "{message}"
-        );
+        assert!(message.contains("writing ./trajectory.txt failed"), "{message}");
     }
 }

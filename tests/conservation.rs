@@ -31,25 +31,14 @@ fn momentum_is_constant_to_round_off() {
     for (name, integrator) in INTEGRATORS {
         let forces = vec![contacts(damped())];
         let mut simulation = Simulation::new(implosion(), DVec2::ZERO, forces, integrator(), 5e-6);
-        let momentum = |s: &Simulation| {
-            s.particles()
-                .iter()
-                .map(|p| p.mass * p.velocity)
-                .sum::<DVec2>()
-        };
+        let momentum =
+            |s: &Simulation| s.particles().iter().map(|p| p.mass * p.velocity).sum::<DVec2>();
         let start = momentum(&simulation);
-        let scale: f64 = simulation
-            .particles()
-            .iter()
-            .map(|p| p.mass * p.velocity.length())
-            .sum();
+        let scale: f64 = simulation.particles().iter().map(|p| p.mass * p.velocity.length()).sum();
         (0..20_000).for_each(|_| simulation.step());
         assert!(simulation.largest_overlap() > 0.01, "no contact, no test");
         // Each kick rounds each momentum by 1e-16 of its size; 20,000 of them at random.
-        assert!(
-            (momentum(&simulation) - start).length() < 1e-13 * scale,
-            "{name}"
-        );
+        assert!((momentum(&simulation) - start).length() < 1e-13 * scale, "{name}");
     }
 }
 
@@ -65,11 +54,7 @@ fn a_mirrored_start_gives_the_mirrored_run_to_the_bit() {
             let forces = vec![contacts(damped())];
             let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, integrator(), 5e-6);
             (0..5000).for_each(|_| simulation.step());
-            simulation
-                .particles()
-                .iter()
-                .map(|p| p.position * mirror)
-                .collect::<Vec<_>>()
+            simulation.particles().iter().map(|p| p.position * mirror).collect::<Vec<_>>()
         };
         let plain = run(DVec2::ONE);
         for mirror in [DVec2::new(-1.0, 1.0), DVec2::new(1.0, -1.0)] {
@@ -98,21 +83,13 @@ impl Force for GatheredContacts {
 #[test]
 fn the_contact_sweep_has_the_bits_of_every_disc_gathering_in_ascending_id() {
     let run = |force: Box<dyn Force>| {
-        let mut simulation = Simulation::new(
-            implosion(),
-            DVec2::ZERO,
-            vec![force],
-            INTEGRATORS[0].1(),
-            5e-6,
-        );
+        let mut simulation =
+            Simulation::new(implosion(), DVec2::ZERO, vec![force], INTEGRATORS[0].1(), 5e-6);
         (0..4000).for_each(|_| simulation.step());
         assert!(simulation.time() > 0.0);
         simulation.state_hash()
     };
-    assert_eq!(
-        run(contacts(damped())),
-        run(Box::new(GatheredContacts(damped())))
-    );
+    assert_eq!(run(contacts(damped())), run(Box::new(GatheredContacts(damped()))));
 }
 
 #[test]
@@ -126,13 +103,8 @@ fn the_work_ledger_changes_no_bit_of_the_motion() {
     for (name, integrator) in INTEGRATORS {
         let run = |with_ledger: bool| {
             let forces = vec![contacts(damped())];
-            let mut simulation = Simulation::new(
-                implosion(),
-                DVec2::new(0.0, -9.81),
-                forces,
-                integrator(),
-                5e-6,
-            );
+            let mut simulation =
+                Simulation::new(implosion(), DVec2::new(0.0, -9.81), forces, integrator(), 5e-6);
             if with_ledger {
                 simulation.keep_work_ledger();
             }

@@ -74,11 +74,7 @@ fn restitution_duration_and_depth_match_the_closed_forms_for_pair_and_wall() {
                 let error = (seen.scaled_duration - duration).abs();
                 // They part at speed e v, so what is left of the overlap's error (measured:
                 // 0.016/steps) shows 1/e times larger in time.
-                let parting = if end == ContactEnd::OverlapZero {
-                    0.03 / e
-                } else {
-                    1.0
-                };
+                let parting = if end == ContactEnd::OverlapZero { 0.03 / e } else { 1.0 };
                 assert!(
                     error < (2.0 + parting) / steps,
                     "{case}: {} {duration}",
@@ -86,11 +82,7 @@ fn restitution_duration_and_depth_match_the_closed_forms_for_pair_and_wall() {
                 );
                 let depth = largest_overlap(1.0, zeta, 1.0, 1.0);
                 let error = (seen.largest_overlap - depth).abs();
-                assert!(
-                    error < tolerance,
-                    "{case}: depth {} {depth}",
-                    seen.largest_overlap
-                );
+                assert!(error < tolerance, "{case}: depth {} {depth}", seen.largest_overlap);
             }
         }
     }
@@ -114,26 +106,12 @@ fn asked_restitution_is_the_one_measured_for_both_ends() {
     let steps = 4000.0;
     for meeting in MEETINGS {
         for tension in [true, false] {
-            let end = if tension {
-                ContactEnd::OverlapZero
-            } else {
-                ContactEnd::ForceZero
-            };
+            let end = if tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero };
             for e in [1.0, 0.9, 0.5, 0.3, 0.1] {
                 let damping = Damping::Ratio(damping_ratio_for(e, end));
-                let seen = one_contact(
-                    meeting,
-                    SpringDashpot {
-                        tension,
-                        ..law(damping)
-                    },
-                    steps,
-                );
+                let seen = one_contact(meeting, SpringDashpot { tension, ..law(damping) }, steps);
                 // First order, as above.
-                assert!(
-                    (seen.restitution - e).abs() < 2.0 / steps,
-                    "{meeting:?} {tension} {e}"
-                );
+                assert!((seen.restitution - e).abs() < 2.0 / steps, "{meeting:?} {tension} {e}");
             }
         }
     }
@@ -152,11 +130,7 @@ fn a_wall_contact_is_that_of_the_whole_mass() {
     let eta =
         2.0 * damping_ratio_for(0.8, ContactEnd::OverlapZero) * (STIFFNESS * MASS / 2.0).sqrt();
     let wall = one_contact(Meeting::Wall, law(Damping::Coefficient(eta)), 4000.0);
-    assert!(
-        (wall.restitution - 0.854).abs() < 1e-3,
-        "{}",
-        wall.restitution
-    ); // three digits quoted
+    assert!((wall.restitution - 0.854).abs() < 1e-3, "{}", wall.restitution); // three digits quoted
 }
 
 #[test]
@@ -167,21 +141,10 @@ fn the_force_on_one_disc_is_the_opposite_of_that_on_the_other() {
             disc_at(DVec2::new(dx, dy) * RADIUS, DVec2::new(-0.4, 0.2)),
         ];
         let damping = law(Damping::Coefficient(0.5));
-        let simulation = Simulation::new(
-            discs,
-            DVec2::ZERO,
-            vec![contacts(damping)],
-            INTEGRATORS[0].1(),
-            1e-6,
-        );
-        let [a, b] = simulation.particles() else {
-            panic!("two discs")
-        };
-        assert!(
-            a.force.is_finite() && a.force.length() > 0.0,
-            "{:?}",
-            a.force
-        );
+        let simulation =
+            Simulation::new(discs, DVec2::ZERO, vec![contacts(damping)], INTEGRATORS[0].1(), 1e-6);
+        let [a, b] = simulation.particles() else { panic!("two discs") };
+        assert!(a.force.is_finite() && a.force.length() > 0.0, "{:?}", a.force);
         assert_eq!(a.force, -b.force); // to the bit
     }
 }
@@ -224,26 +187,15 @@ fn a_wall_is_a_half_plane_that_pushes_back_a_centre_beyond_it() {
     let simulation = Simulation::new(vec![disc], DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-6);
     let force = simulation.particles()[0].force;
     // Overlap r + 2r: upward, k_n times that (1e-9 N is rounding of the sum).
-    assert!(
-        (force - DVec2::new(0.0, STIFFNESS * 3.0 * RADIUS)).length() < 1e-9,
-        "{force}"
-    );
+    assert!((force - DVec2::new(0.0, STIFFNESS * 3.0 * RADIUS)).length() < 1e-9, "{force}");
     assert!((simulation.largest_overlap() - 3.0).abs() < 1e-12);
 }
 
 #[test]
 fn without_tension_no_contact_ever_pulls() {
-    let law = SpringDashpot {
-        tension: false,
-        ..law(Damping::Ratio(0.9))
-    };
+    let law = SpringDashpot { tension: false, ..law(Damping::Ratio(0.9)) };
     for (overlap, approach_speed) in [(1e-6, -1.0), (1e-5, -0.01), (0.0, -5.0), (1e-5, 1.0)] {
-        let contact = Contact {
-            overlap,
-            normal: DVec2::X,
-            approach_speed,
-            reduced_mass: MASS,
-        };
+        let contact = Contact { overlap, normal: DVec2::X, approach_speed, reduced_mass: MASS };
         assert!(law.push(&contact) >= 0.0);
     }
 }
@@ -264,9 +216,7 @@ fn an_oblique_contact_changes_only_the_normal_velocity() {
     }
     // A stiff contact is short, but the discs turn about each other by v_t t_c / 2r, about
     // 0.4 * 3.1e-4 / 1e-3 = 0.13 rad: the exchange of normal velocities is exact only to that.
-    let [a, b] = simulation.particles() else {
-        panic!("two discs")
-    };
+    let [a, b] = simulation.particles() else { panic!("two discs") };
     let hard = DVec2::new(0.5, 0.0).dot(direction) * direction;
     assert!((b.velocity - hard).length() < 0.13 * 0.5, "{}", b.velocity);
     let momentum = a.velocity + b.velocity - DVec2::new(0.5, 0.0);

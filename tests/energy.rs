@@ -37,9 +37,7 @@ fn errors(meeting: Meeting, integrator: NewIntegrator, steps: f64, phase: f64) -
 fn worst(meeting: Meeting, integrator: NewIntegrator, steps: f64) -> (f64, f64) {
     (0..16)
         .map(|k| errors(meeting, integrator, steps, f64::from(k) / 16.0))
-        .fold((0.0, 0.0), |(after, during), (a, d)| {
-            (a.abs().max(after), d.max(during))
-        })
+        .fold((0.0, 0.0), |(after, during), (a, d)| (a.abs().max(after), d.max(during)))
 }
 
 #[test]
@@ -52,10 +50,7 @@ fn energy_error_after_a_contact_has_each_integrators_order() {
             let fine = worst(meeting, integrator, 800.5).0;
             let order = (coarse / fine).log2() / (800.5f64 / 200.5).log2();
             // Measured: 2.0000, 1.014 (the next order, 3 % at 200 steps) and 2.0000.
-            assert!(
-                (order - order_expected).abs() < 0.03,
-                "{name} {meeting:?}: order {order:.3}"
-            );
+            assert!((order - order_expected).abs() < 0.03, "{name} {meeting:?}: order {order:.3}");
         }
     }
 }
@@ -98,15 +93,7 @@ fn explicit_euler_gains_the_known_energy_at_every_bounce() {
     ] {
         let phases = 16;
         let mean: f64 = (0..phases)
-            .map(|k| {
-                errors(
-                    meeting,
-                    INTEGRATORS[1].1,
-                    steps,
-                    f64::from(k) / f64::from(phases),
-                )
-                .0
-            })
+            .map(|k| errors(meeting, INTEGRATORS[1].1, steps, f64::from(k) / f64::from(phases)).0)
             .sum::<f64>()
             / f64::from(phases);
         // Quoted to two digits, and the phase scatters the gain.
@@ -136,10 +123,7 @@ fn free_fall_shows_a_saw_tooth_in_step_with_the_speed() {
             _ => 0.0,
         };
         // Rounding of 5000 steps of an energy of 3e-4 J; the saw-tooth is 2.4e-8 J.
-        assert!(
-            (error - expected).abs() < 1e-16,
-            "{name}: {error} {expected}"
-        );
+        assert!((error - expected).abs() < 1e-16, "{name}: {error} {expected}");
     }
 }
 
@@ -162,10 +146,7 @@ fn the_work_ledger_closes_to_round_off_over_a_million_steps() {
             let dt = time_step(MASS, STIFFNESS, 50.0);
             // Explicit Euler stays bounded only where damping takes more than it gains.
             let zeta = if name == "explicit-euler" { 0.3 } else { 1e-3 };
-            let law = SpringDashpot {
-                tension,
-                ..law(Damping::Ratio(zeta))
-            };
+            let law = SpringDashpot { tension, ..law(Damping::Ratio(zeta)) };
             let mut simulation = busy_box(10, integrator, law, dt);
             let ledger = EnergyLedger::open(&mut simulation);
             let mut scale = 0.0_f64;
@@ -179,11 +160,7 @@ fn the_work_ledger_closes_to_round_off_over_a_million_steps() {
             }
             assert!(row.kinetic_J.is_finite() && scale > 1e-3, "{name}: {scale}");
             // Each step rounds the works by some 1e-16 of the energy in play; steps add at random.
-            assert!(
-                row.work_error_J.abs() < 1e-12 * scale,
-                "{name}: {} {scale}",
-                row.work_error_J
-            );
+            assert!(row.work_error_J.abs() < 1e-12 * scale, "{name}: {} {scale}", row.work_error_J);
         }
     }
 }
@@ -198,11 +175,7 @@ fn the_work_ledger_closes_even_in_a_run_that_explodes() {
     (0..3000).for_each(|_| simulation.step());
     let row = ledger.row(&simulation);
     assert!(row.total_J > 10.0 * start.total_J, "{}", row.total_J);
-    assert!(
-        row.work_error_J.abs() < 1e-12 * row.kinetic_J,
-        "{}",
-        row.work_error_J
-    );
+    assert!(row.work_error_J.abs() < 1e-12 * row.kinetic_J, "{}", row.work_error_J);
 }
 
 #[test]
@@ -211,10 +184,7 @@ fn total_energy_with_what_the_dashpots_took_stays_constant() {
     // energy in contacts.
     let dt = time_step(MASS, STIFFNESS, 400.0);
     for tension in [true, false] {
-        let law = SpringDashpot {
-            tension,
-            ..law(Damping::Ratio(0.3))
-        };
+        let law = SpringDashpot { tension, ..law(Damping::Ratio(0.3)) };
         let mut simulation = busy_box(30, INTEGRATORS[0].1, law, dt);
         let ledger = EnergyLedger::open(&mut simulation);
         let start = ledger.row(&simulation).total_J;
@@ -224,11 +194,7 @@ fn total_energy_with_what_the_dashpots_took_stays_constant() {
             worst = worst.max((ledger.row(&simulation).total_J / start - 1.0).abs());
         }
         let row = ledger.row(&simulation);
-        assert!(
-            row.dissipated_J > 0.5 * start,
-            "{} of {start}",
-            row.dissipated_J
-        );
+        assert!(row.dissipated_J > 0.5 * start, "{} of {start}", row.dissipated_J);
         assert!(worst < 4e-3, "{worst}");
     }
 }
@@ -237,19 +203,11 @@ fn total_energy_with_what_the_dashpots_took_stays_constant() {
 fn clipped_contacts_give_their_left_over_overlap_to_the_dashpot() {
     // One damped bounce without tension: all that is missing from K is booked as dissipated.
     let omega0 = angular_frequency(STIFFNESS, MASS);
-    let law = SpringDashpot {
-        tension: false,
-        ..law(Damping::Ratio(0.5))
-    };
+    let law = SpringDashpot { tension: false, ..law(Damping::Ratio(0.5)) };
     let disc = disc_at(DVec2::new(0.0, RADIUS), DVec2::new(0.0, -0.5));
     let forces = vec![walls(law, &[floor()])];
-    let mut simulation = Simulation::new(
-        vec![disc],
-        DVec2::ZERO,
-        forces,
-        INTEGRATORS[0].1(),
-        1e-4 / omega0,
-    );
+    let mut simulation =
+        Simulation::new(vec![disc], DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-4 / omega0);
     let ledger = EnergyLedger::open(&mut simulation);
     let start = ledger.row(&simulation);
     (0..100_000).for_each(|_| simulation.step());
@@ -257,10 +215,6 @@ fn clipped_contacts_give_their_left_over_overlap_to_the_dashpot() {
     assert_eq!(row.elastic_J, 0.0);
     let lost = start.kinetic_J - row.kinetic_J;
     // e = 0.298: 91 % of the energy is gone; the residue is first order, 1e-4.
-    assert!(
-        (row.dissipated_J / lost - 1.0).abs() < 2e-4,
-        "{} {lost}",
-        row.dissipated_J
-    );
+    assert!((row.dissipated_J / lost - 1.0).abs() < 2e-4, "{} {lost}", row.dissipated_J);
     assert!((lost / start.kinetic_J - (1.0 - 0.29844f64.powi(2))).abs() < 2e-4);
 }

@@ -54,26 +54,14 @@ fn two_discs_exchange_their_velocities() {
     assert!((discs[1].velocity - DVec2::new(0.2, 0.0)).length() < 2e-4);
     // Its own "Try": with e = 0.5 they move on at v (1 -+ e)/2.
     let discs = end("two_discs", "restitution = 0.5");
-    assert!(
-        (discs[0].velocity.x - 0.05).abs() < 1e-3,
-        "{}",
-        discs[0].velocity
-    );
-    assert!(
-        (discs[1].velocity.x - 0.15).abs() < 1e-3,
-        "{}",
-        discs[1].velocity
-    );
+    assert!((discs[0].velocity.x - 0.05).abs() < 1e-3, "{}", discs[0].velocity);
+    assert!((discs[1].velocity.x - 0.15).abs() < 1e-3, "{}", discs[1].velocity);
 }
 
 #[test]
 fn oblique_discs_part_nearly_at_a_right_angle() {
     let discs = end("oblique", "");
-    let angle = discs[0]
-        .velocity
-        .angle_to(discs[1].velocity)
-        .abs()
-        .to_degrees();
+    let angle = discs[0].velocity.angle_to(discs[1].velocity).abs().to_degrees();
     // Hard discs: 90 degrees. The contact's 2e-4 s turn the line of centres by some 0.5 degrees.
     assert!((angle - 90.0).abs() < 1.0, "{angle}");
     let hit = discs[1].velocity.to_angle().to_degrees();
@@ -82,19 +70,11 @@ fn oblique_discs_part_nearly_at_a_right_angle() {
 
 #[test]
 fn newtons_cradle_needs_its_gaps() {
-    let speeds = |name| {
-        end(name, "")
-            .iter()
-            .map(|disc| disc.velocity.x)
-            .collect::<Vec<_>>()
-    };
+    let speeds = |name| end(name, "").iter().map(|disc| disc.velocity.x).collect::<Vec<_>>();
     let with_gaps = speeds("newtons_cradle");
     // Each of four exchanges is exact to 1e-3 (35 steps a contact).
     assert!((with_gaps[4] - 0.5).abs() < 2e-3, "{with_gaps:?}");
-    assert!(
-        with_gaps[..4].iter().all(|v| v.abs() < 2e-3),
-        "{with_gaps:?}"
-    );
+    assert!(with_gaps[..4].iter().all(|v| v.abs() < 2e-3), "{with_gaps:?}");
     let touching = speeds("newtons_cradle_touching");
     // Measured, in parts of the first speed: -0.13, -0.08, -0.03, 0.30, 0.94.
     assert!(touching[0] < -0.05, "{touching:?}");
@@ -113,11 +93,7 @@ fn a_box_of_gas_keeps_its_energy_and_becomes_maxwellian() {
     assert!(drift.abs() < 5e-3, "{drift}");
     // In 2D the energies are exponential: the share below the mean is 1 - 1/e = 0.632, with a
     // standard deviation of sqrt(0.632 * 0.368 / 400) = 0.024; all were equal at the start.
-    let energies: Vec<f64> = simulation
-        .particles()
-        .iter()
-        .map(Particle::kinetic_energy)
-        .collect();
+    let energies: Vec<f64> = simulation.particles().iter().map(Particle::kinetic_energy).collect();
     let mean = energies.iter().sum::<f64>() / energies.len() as f64;
     let below = energies.iter().filter(|&&e| e < mean).count() as f64 / energies.len() as f64;
     assert!((below - 0.632).abs() < 4.0 * 0.024, "{below}");

@@ -35,12 +35,7 @@ fn throw(more: &str) -> TempDir {
     fs::write(folder.path().join("start.txt"), "0.02 0.02 1e-4 0.5 1\n").unwrap();
     let words = THROW.split_whitespace().chain(more.split_whitespace());
     let mut command = Command::cargo_bin("parsim2d").unwrap();
-    command
-        .current_dir(&folder)
-        .args(words)
-        .arg("-q")
-        .assert()
-        .success();
+    command.current_dir(&folder).args(words).arg("-q").assert().success();
     folder
 }
 
@@ -80,10 +75,7 @@ fn energy_csv_has_its_header_and_a_line_for_each_asked_step() {
     // K = m/2 (0.25 + 1), m g y = 1e-3 * 10 * 0.02.
     assert_eq!(lines[1], "0,0.0,0.000625,0.0002,0.0,0.0,0.000825,0.0");
     assert_eq!(lines.len(), 5);
-    let times: Vec<&str> = lines[1..]
-        .iter()
-        .map(|l| l.split(',').nth(1).unwrap())
-        .collect();
+    let times: Vec<&str> = lines[1..].iter().map(|l| l.split(',').nth(1).unwrap()).collect();
     assert_eq!(times, ["0.0", "0.001", "0.002", "0.003"]);
 }
 
@@ -121,7 +113,7 @@ fn the_border_follows_the_real_discs_and_touches_the_box_from_outside() {
         assert!((distance - row[2]).abs() < 1e-12, "{row:?}"); // nine printed digits
     }
     // A reader that honours the header's n sees the one real disc.
-    assert_eq!(read_frame(text.as_bytes(), None).unwrap().len(), 1);
+    assert_eq!(read_frame(text.as_bytes(), None).unwrap().rows.len(), 1);
 }
 
 #[test]
@@ -153,12 +145,7 @@ fn outputs_change_no_bit_of_the_run() {
         summary["state_hash"].as_str().unwrap().to_owned()
     };
     let plain = hash("");
-    for more in [
-        "--energy-every 0",
-        "--every 1 --energy-every 3",
-        "--border",
-        "--slowdown 2",
-    ] {
+    for more in ["--energy-every 0", "--every 1 --energy-every 3", "--border", "--slowdown 2"] {
         assert_eq!(hash(more), plain, "{more}");
     }
 }
@@ -168,15 +155,8 @@ fn a_run_started_from_a_frame_goes_on_from_it() {
     let first = run("-n 20 --radius 5e-4 --time 0.05 --seed 3 --every 1000");
     let file = first.path().join("trajectory.txt");
     let frames = read(&first, "trajectory.txt").matches('#').count();
-    for (said, frame) in [
-        ("".to_owned(), frames - 1),
-        (":0".to_owned(), 0),
-        (":2".to_owned(), 2),
-    ] {
-        let second = run(&format!(
-            "--start {}{said} --time 0 --seed 9",
-            file.display()
-        ));
+    for (said, frame) in [("".to_owned(), frames - 1), (":0".to_owned(), 0), (":2".to_owned(), 2)] {
+        let second = run(&format!("--start {}{said} --time 0 --seed 9", file.display()));
         let wanted = read_frame(read(&first, "trajectory.txt").as_bytes(), Some(frame)).unwrap();
         let got = read_frame(read(&second, "trajectory.txt").as_bytes(), None).unwrap();
         assert_eq!(wanted, got, "{said}");
@@ -188,12 +168,14 @@ fn frames_written_by_others_are_read() {
     let variants = [
         "0.01 0.02 1e-4\n0.03 0.02 1e-4\n",
         "# my own header\r\n0.01 0.02 1e-4\r\n0.03\t0.02   0.0001 \r\n\r\n",
+        "\u{feff}0.01 0.02 1e-4\n0.03 0.02 1e-4\n",
         "0 0 1\n\n0.01 0.02 1e-4\n0.03 0.02 1e-4",
         "0 0 1\n\n\n\n\n0.01 0.02 1e-4 17\n0.03 0.02 1e-4 0.5\n\n\n",
     ];
     for text in variants {
-        let rows =
+        let frame =
             read_frame(text.as_bytes(), None).unwrap_or_else(|why| panic!("{text:?}: {why}"));
+        let rows = frame.rows;
         assert_eq!(rows.len(), 2, "{text:?}");
         assert_eq!((rows[1].position.x, rows[1].radius), (0.03, 1e-4));
         assert!(rows[0].velocity.is_none());
@@ -205,24 +187,20 @@ fn frames_that_cannot_be_read_say_where_and_why() {
     for (text, frame, expected) in [
         ("", None, "it holds no frame"),
         ("# only a header\n", None, "it holds no frame"),
-        (
-            "1 2\n",
-            None,
-            "line 1: 2 columns; a disc is `x y r` or `x y r vx vy`",
-        ),
+        ("1 2\n", None, "line 1: 2 columns; a disc is `x y r` or `x y r vx vy`"),
         ("1 2 3\n1 two 3\n", None, "line 2: `two` is not a number"),
         ("1 2 nan\n", None, "line 1: `nan` is not finite"),
+        ("1 2 3\n1 2 3 4 5\n", None, "line 2: fewer or more columns than the line before"),
+        ("# step 0 n 2 side_m 1\n1 2 3\n", None, "the frame is cut off: 1 of 2 discs"),
+        ("# step 0 n 2 side_m 1\n1 2 3\n1 2 3", None, "line 3: the line is cut off"),
         (
-            "1 2 3\n\n\n1 2 3\n",
-            Some(2),
-            "frame 2 was asked for; it holds frames 0 to 1",
+            "# step 0 n 2\n1 2 3\n\n\n# step 1 n 1\n1 2 3\n",
+            Some(0),
+            "the frame is cut off: 1 of 2 discs",
         ),
+        ("1 2 3\n\n\n1 2 3\n", Some(2), "frame 2 was asked for; it holds frames 0 to 1"),
     ] {
-        assert_eq!(
-            read_frame(text.as_bytes(), frame).unwrap_err(),
-            expected,
-            "{text:?}"
-        );
+        assert_eq!(read_frame(text.as_bytes(), frame).unwrap_err(), expected, "{text:?}");
     }
 }
 
@@ -230,28 +208,18 @@ fn frames_that_cannot_be_read_say_where_and_why() {
 fn pandas_numpy_and_gnuplot_conventions_hold() {
     // Numbers use a dot and no thousands separator; every row of a file has the same columns.
     let folder = run("-n 30 --radius 5e-4 --time 0.05 --seed 3");
-    for (name, columns, separator) in [
-        ("out.txt", 3, ' '),
-        ("trajectory.txt", 5, ' '),
-        ("energy.csv", 8, ','),
-    ] {
+    for (name, columns, separator) in
+        [("out.txt", 3, ' '), ("trajectory.txt", 5, ' '), ("energy.csv", 8, ',')]
+    {
         let text = read(&folder, name);
-        let rows = text
-            .lines()
-            .filter(|line| !line.starts_with('#') && !line.is_empty());
+        let rows = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
         for row in rows.filter(|row| !row.starts_with("step")) {
             let words: Vec<&str> = row.split(separator).collect();
             assert_eq!(words.len(), columns, "{name}: {row}");
-            assert!(
-                words.iter().all(|word| word.parse::<f64>().is_ok()),
-                "{name}: {row}"
-            );
+            assert!(words.iter().all(|word| word.parse::<f64>().is_ok()), "{name}: {row}");
         }
     }
-    assert!(
-        !read(&folder, "trajectory.txt").ends_with("\n\n"),
-        "a phantom frame for gnuplot"
-    );
+    assert!(!read(&folder, "trajectory.txt").ends_with("\n\n"), "a phantom frame for gnuplot");
 }
 
 #[test]
@@ -263,16 +231,10 @@ fn a_failed_creation_leaves_the_old_files_as_they_were() {
             fs::write(folder.path().join(name), "precious").unwrap();
         }
         fs::create_dir(folder.path().join(blocked)).unwrap();
-        let assert = Command::cargo_bin("parsim2d")
-            .unwrap()
-            .current_dir(&folder)
-            .assert();
+        let assert = Command::cargo_bin("parsim2d").unwrap().current_dir(&folder).assert();
         let output = assert.code(2).get_output().clone();
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(
-            message.contains(blocked) && message.contains("way out"),
-            "{message}"
-        );
+        assert!(message.contains(blocked) && message.contains("way out"), "{message}");
         for name in names.into_iter().filter(|&name| name != blocked) {
             assert_eq!(read(&folder, name), "precious", "{blocked} blocked");
         }
@@ -283,10 +245,39 @@ fn a_failed_creation_leaves_the_old_files_as_they_were() {
 fn assert_no_temporaries(folder: &Path) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        assert!(
-            path.extension().is_none_or(|extension| extension != "tmp"),
-            "{}",
-            path.display()
-        );
+        assert!(path.extension().is_none_or(|extension| extension != "tmp"), "{}", path.display());
     }
+}
+
+#[test]
+fn a_trajectory_cut_anywhere_is_told_from_a_whole_one() {
+    let folder = run("-n 5 --time 1ms --seed 3");
+    let whole = read(&folder, "trajectory.txt");
+    for cut in 1..200 {
+        let text = &whole[..whole.len() - cut];
+        if let Ok(frame) = read_frame(text.as_bytes(), None) {
+            // Cut between frames: the frame before is whole.
+            assert_eq!(frame.rows.len(), 5, "{cut} bytes cut");
+            assert!(
+                text.trim_end().ends_with(|c: char| c.is_ascii_digit()) && text.ends_with('\n')
+            );
+        }
+    }
+}
+
+#[test]
+fn a_start_takes_the_side_of_its_file() {
+    let first = run("-n 5 --side 0.1 --radius 1e-3 --time 0 --seed 4");
+    let file = first.path().join("trajectory.txt");
+    let second = run(&format!("--start {} --time 0", file.display()));
+    assert_eq!(read(&first, "trajectory.txt"), read(&second, "trajectory.txt"));
+}
+
+#[test]
+fn a_run_without_ledger_leaves_no_ledger_of_a_former_run() {
+    let folder = run("-n 2 --time 1ms --seed 1");
+    assert!(folder.path().join("energy.csv").exists());
+    let again = ["-n", "2", "--time", "1ms", "--energy-every", "0", "-q"];
+    Command::cargo_bin("parsim2d").unwrap().current_dir(&folder).args(again).assert().success();
+    assert!(!folder.path().join("energy.csv").exists());
 }

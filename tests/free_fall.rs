@@ -30,15 +30,8 @@ fn every_integrator_falls_by_its_own_closed_form() {
             };
         let disc = simulation.particles()[0];
         // 10,000 additions to numbers of 0.05: rounding of 1e4 * 5e-18 at worst.
-        assert!(
-            (disc.position.y - (0.03 - fallen)).abs() < 5e-14,
-            "{name}: {}",
-            disc.position.y
-        );
-        assert!(
-            (disc.position.x - (0.02 + 0.1 * n * dt)).abs() < 5e-14,
-            "{name}"
-        );
+        assert!((disc.position.y - (0.03 - fallen)).abs() < 5e-14, "{name}: {}", disc.position.y);
+        assert!((disc.position.x - (0.02 + 0.1 * n * dt)).abs() < 5e-14, "{name}");
         assert!((disc.velocity.y + gravity * n * dt).abs() < 1e-12, "{name}");
         assert!((simulation.time() - n * dt).abs() < 1e-15);
     }

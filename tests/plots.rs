@@ -17,19 +17,14 @@ fn has_gnuplot(what: &str) -> bool {
     let found = Command::new("gnuplot").arg("--version").output().is_ok();
     if !found {
         let required = std::env::var_os("PARSIM2D_REQUIRE_GNUPLOT").is_some();
-        assert!(
-            !required,
-            "gnuplot is not installed, and PARSIM2D_REQUIRE_GNUPLOT is set"
-        );
+        assert!(!required, "gnuplot is not installed, and PARSIM2D_REQUIRE_GNUPLOT is set");
         eprintln!("SKIPPED: gnuplot is not installed, so {what} was not tested");
     }
     found
 }
 
 fn script(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("plot")
-        .join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("plot").join(name)
 }
 
 /// Runs the program in a fresh folder.
@@ -42,20 +37,14 @@ fn simulated(arguments: &str) -> TempDir {
 
 fn simulator(folder: &Path, arguments: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_parsim2d"));
-    command
-        .current_dir(folder)
-        .args(arguments.split_whitespace())
-        .arg("-q");
+    command.current_dir(folder).args(arguments.split_whitespace()).arg("-q");
     command
 }
 
 /// Runs gnuplot on a script in `folder` with `settings` made first.
 fn gnuplot(folder: &Path, settings: &str, script: &Path) -> Output {
     let mut command = Command::new("gnuplot");
-    command
-        .current_dir(folder)
-        .env_remove("DISPLAY")
-        .stdin(Stdio::null());
+    command.current_dir(folder).env_remove("DISPLAY").stdin(Stdio::null());
     command.args(["-e", settings]).arg(script).output().unwrap()
 }
 
@@ -87,20 +76,14 @@ impl Picture {
         let rgb = buffer[..info.buffer_size()]
             .chunks(channels)
             .map(|p| [p[0], p[1 % channels], p[2 % channels]]);
-        Self {
-            width: info.width as usize,
-            height: info.height as usize,
-            rgb: rgb.collect(),
-        }
+        Self { width: info.width as usize, height: info.height as usize, rgb: rgb.collect() }
     }
 
     /// Places of the pixels that are coloured: neither grey, black nor white.
     fn coloured(&self) -> Vec<(usize, usize)> {
         let is_coloured = |p: &[u8; 3]| p.iter().max().unwrap() - p.iter().min().unwrap() > 40;
         let places = self.rgb.iter().enumerate().filter(|(_, p)| is_coloured(p));
-        places
-            .map(|(k, _)| (k % self.width, k / self.width))
-            .collect()
+        places.map(|(k, _)| (k % self.width, k / self.width)).collect()
     }
 
     /// Pixels nearest to `colour` within a few shades.
@@ -119,22 +102,9 @@ fn loop_plot_draws_discs_to_scale() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("start.txt"), "0.02 0.02 0.005\n").unwrap();
     let arguments = "--start start.txt --time 0 --seed 1";
-    assert!(
-        simulator(folder.path(), arguments)
-            .status()
-            .unwrap()
-            .success()
-    );
-    let output = gnuplot(
-        folder.path(),
-        "redraws=1; png='now.png'",
-        &script("loop.plot"),
-    );
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(simulator(folder.path(), arguments).status().unwrap().success());
+    let output = gnuplot(folder.path(), "redraws=1; png='now.png'", &script("loop.plot"));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let picture = Picture::read(&folder.path().join("now.png"));
     let disc = picture.coloured();
     let range =
@@ -142,21 +112,11 @@ fn loop_plot_draws_discs_to_scale() {
     let width = range(disc.iter().map(|&(x, _)| x).collect());
     let height = range(disc.iter().map(|&(_, y)| y).collect());
     // As wide as high, to the pixel or two that drawing rounds, and filled: pi/4 of its square.
-    assert!(
-        width.abs_diff(height) <= 2 && width > 80,
-        "{width} x {height}"
-    );
+    assert!(width.abs_diff(height) <= 2 && width > 80, "{width} x {height}");
     let filling = disc.len() as f64 / (width * height) as f64;
-    assert!(
-        (filling - std::f64::consts::FRAC_PI_4).abs() < 0.05,
-        "{filling}"
-    );
+    assert!((filling - std::f64::consts::FRAC_PI_4).abs() < 0.05, "{filling}");
     // A quarter of the box, which is 0.04 of the 0.0424 m drawn: a bit under a quarter of the plot.
-    assert!(
-        width * 3 < picture.width && width * 6 > picture.width,
-        "{width} of {}",
-        picture.width
-    );
+    assert!(width * 3 < picture.width && width * 6 > picture.width, "{width} of {}", picture.width);
     assert!(picture.height > 500);
 }
 
@@ -174,24 +134,13 @@ fn loop_plot_shows_a_run_that_is_still_going() {
         std::thread::sleep(Duration::from_millis(400));
         let settings = format!("redraws=1; png='{name}'");
         let output = gnuplot(folder.path(), &settings, &script("loop.plot"));
-        assert!(
-            output.status.success(),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let picture = Picture::read(&folder.path().join(name));
         // 20 discs of 1 mm in 42 mm on 700 pixels: some 150 pixels each, overlaps aside.
-        assert!(
-            picture.coloured().len() > 1500,
-            "{}",
-            picture.coloured().len()
-        );
+        assert!(picture.coloured().len() > 1500, "{}", picture.coloured().len());
         shown.push(picture.rgb);
     }
-    assert!(
-        running.0.try_wait().unwrap().is_none(),
-        "the run ended too early to be watched"
-    );
+    assert!(running.0.try_wait().unwrap().is_none(), "the run ended too early to be watched");
     assert_ne!(shown[0], shown[1], "the discs did not move");
 }
 
@@ -200,49 +149,28 @@ fn loop_plot_waits_for_a_file_that_is_not_there_yet() {
     if !has_gnuplot("waiting for out.txt") {
         return;
     }
-    for first in [
-        None,
-        Some(""),
-        Some("# step 0 time_s 0 n 0 side_m 0.04 columns x y r\n"),
-    ] {
+    for first in [None, Some(""), Some("# step 0 time_s 0 n 0 side_m 0.04 columns x y r\n")] {
         let folder = tempfile::tempdir().unwrap();
         if let Some(text) = first {
             fs::write(folder.path().join("out.txt"), text).unwrap();
         }
         let mut command = Command::new("gnuplot");
         command.current_dir(&folder).stderr(Stdio::null());
-        command
-            .args(["-e", "redraws=1; png='late.png'"])
-            .arg(script("loop.plot"));
+        command.args(["-e", "redraws=1; png='late.png'"]).arg(script("loop.plot"));
         let mut waiting = Running(command.spawn().unwrap());
         std::thread::sleep(Duration::from_millis(500));
-        assert!(
-            waiting.0.try_wait().unwrap().is_none(),
-            "gave up on {first:?}"
-        );
-        assert!(
-            simulator(folder.path(), "-n 20 --time 0 --seed 1")
-                .status()
-                .unwrap()
-                .success()
-        );
+        assert!(waiting.0.try_wait().unwrap().is_none(), "gave up on {first:?}");
+        assert!(simulator(folder.path(), "-n 20 --time 0 --seed 1").status().unwrap().success());
         let begun = Instant::now();
         let status = loop {
             if let Some(status) = waiting.0.try_wait().unwrap() {
                 break status;
             }
-            assert!(
-                begun.elapsed() < Duration::from_secs(10),
-                "did not see the file"
-            );
+            assert!(begun.elapsed() < Duration::from_secs(10), "did not see the file");
             std::thread::sleep(Duration::from_millis(50));
         };
         assert!(status.success());
-        assert!(
-            !Picture::read(&folder.path().join("late.png"))
-                .coloured()
-                .is_empty()
-        );
+        assert!(!Picture::read(&folder.path().join("late.png")).coloured().is_empty());
     }
 }
 
@@ -262,22 +190,12 @@ fn the_guides_own_four_line_script_works() {
     )
     .unwrap();
     let mut command = Command::new("gnuplot");
-    command
-        .current_dir(&folder)
-        .arg("guide.plot")
-        .stderr(Stdio::piped());
+    command.current_dir(&folder).arg("guide.plot").stderr(Stdio::piped());
     let mut running = Running(command.spawn().unwrap());
     std::thread::sleep(Duration::from_millis(1500));
-    assert!(
-        running.0.try_wait().unwrap().is_none(),
-        "it stopped before its first reread"
-    );
+    assert!(running.0.try_wait().unwrap().is_none(), "it stopped before its first reread");
     let picture = Picture::read(&folder.path().join("guide.png"));
-    assert!(
-        picture.coloured().len() > 500,
-        "{}",
-        picture.coloured().len()
-    );
+    assert!(picture.coloured().len() > 500, "{}", picture.coloured().len());
 }
 
 #[test]
@@ -289,18 +207,10 @@ fn replay_plot_draws_frames_and_an_animation() {
     let mut pictures = Vec::new();
     for settings in ["png='0.png'; frame=0", "png='last.png'"] {
         let output = gnuplot(folder.path(), settings, &script("replay.plot"));
-        assert!(
-            output.status.success(),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let name = settings.split('\'').nth(1).unwrap();
         let picture = Picture::read(&folder.path().join(name));
-        assert!(
-            picture.coloured().len() > 1500,
-            "{}",
-            picture.coloured().len()
-        );
+        assert!(picture.coloured().len() > 1500, "{}", picture.coloured().len());
         pictures.push(picture.rgb);
     }
     assert_ne!(pictures[0], pictures[1]);
@@ -324,24 +234,11 @@ fn energy_plot_draws_every_curve_of_the_ledger() {
     }
     let folder = simulated("-n 20 --radius 1e-3 --kn 1e3 --restitution 0.5 --time 0.2 --seed 1");
     let output = gnuplot(folder.path(), "png='energy.png'", &script("energy.plot"));
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let picture = Picture::read(&folder.path().join("energy.png"));
     // The colours of kinetic, gravitational, elastic, dissipated; a legend line alone has 100.
-    for colour in [
-        [0xD5, 0x5E, 0],
-        [0, 0x72, 0xB2],
-        [0, 0x9E, 0x73],
-        [0xE6, 0x9F, 0],
-    ] {
-        assert!(
-            picture.count_of(colour) > 300,
-            "{colour:?}: {}",
-            picture.count_of(colour)
-        );
+    for colour in [[0xD5, 0x5E, 0], [0, 0x72, 0xB2], [0, 0x9E, 0x73], [0xE6, 0x9F, 0]] {
+        assert!(picture.count_of(colour) > 300, "{colour:?}: {}", picture.count_of(colour));
     }
 }
 
@@ -352,19 +249,9 @@ fn velocity_plot_draws_an_arrow_for_every_moving_disc() {
     }
     let coloured = |arguments: &str| {
         let folder = simulated(arguments);
-        let output = gnuplot(
-            folder.path(),
-            "png='velocity.png'",
-            &script("velocity.plot"),
-        );
-        assert!(
-            output.status.success(),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
-        Picture::read(&folder.path().join("velocity.png"))
-            .coloured()
-            .len()
+        let output = gnuplot(folder.path(), "png='velocity.png'", &script("velocity.plot"));
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        Picture::read(&folder.path().join("velocity.png")).coloured().len()
     };
     let at_rest = coloured("-n 50 --radius 5e-4 --time 0 --seed 1");
     let moving = coloured("-n 50 --radius 5e-4 --time 0 --seed 1 --speed 0.5");
@@ -386,10 +273,7 @@ fn scripts_without_data_say_so_and_stop() {
         let output = gnuplot(folder.path(), "png='x.png'", &script(name));
         assert_eq!(output.status.code(), Some(1), "{name}");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(
-            said.contains(&format!("{file} is missing or empty")),
-            "{name}: {said}"
-        );
+        assert!(said.contains(&format!("{file} is missing or empty")), "{name}: {said}");
         assert_eq!(said.trim().lines().count(), 1, "{name}: {said}");
     }
 }

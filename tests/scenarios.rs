@@ -1,6 +1,8 @@
 //! Scenario files and flags: layers, checks, and the way back to a file.
 #![allow(clippy::too_many_lines)] // tables of cases
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -10,19 +12,14 @@ use proptest::prelude::*;
 
 fn folder(name: &str) -> impl Iterator<Item = PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
-    let entries = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
-    entries.filter(|path| {
-        path.extension()
-            .is_some_and(|extension| extension == "toml")
-    })
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
 }
 
 #[test]
 fn every_bad_scenario_gets_the_message_it_carries() {
     // Each file holds, after `#^`, parts of the message it must give.
-    let mut seen = 0;
+    let (mut seen, mut wrong) = (0, Vec::new());
     for path in folder("tests/scenarios/bad") {
         let text = fs::read_to_string(&path).unwrap();
         let error = file::read(&path)
@@ -30,21 +27,16 @@ fn every_bad_scenario_gets_the_message_it_carries() {
             .and_then(|scenario| scenario.build().map(|_| ()))
             .expect_err(&path.display().to_string())
             .to_string();
-        let expected: Vec<&str> = text
-            .lines()
-            .filter_map(|line| line.strip_prefix("#^ "))
-            .collect();
+        let expected: Vec<&str> =
+            text.lines().filter_map(|line| line.strip_prefix("#^ ")).collect();
         assert!(!expected.is_empty(), "{} expects nothing", path.display());
-        for part in expected {
-            assert!(
-                error.contains(part),
-                "{}: {part:?} is not in\n{error}",
-                path.display()
-            );
+        for part in expected.iter().filter(|part| !error.contains(**part)) {
+            wrong.push(format!("{}: {part:?} is not in\n{error}\n", path.display()));
         }
         seen += 1;
     }
-    assert!(seen >= 29, "{seen}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(seen >= 39, "{seen}");
 }
 
 #[test]
@@ -70,19 +62,13 @@ fn layered(flags: &str, file: &str) -> Scenario {
 
 #[test]
 fn flags_override_the_file_and_the_file_the_preset() {
-    let scenario = layered(
-        "radius = 2e-4",
-        "preset = 'guide-listing'\nradius = 3e-4\nn = 7",
-    );
+    let scenario = layered("radius = 2e-4", "preset = 'guide-listing'\nradius = 3e-4\nn = 7");
     assert_eq!((scenario.radius, scenario.n()), (2e-4, 7));
     assert_eq!(layered("", "preset = 'guide-listing'").radius, 5e-4);
     // A damping or time step in a flag replaces another kind in the file.
     let scenario = layered("gamma = 10\nnt = 40", "eta = 0.5\ndt = 1e-6");
     assert_eq!(scenario.damping.flag_and_value(), ("--gamma", 10.0));
-    assert_eq!(
-        (scenario.step, scenario.dt_set_by),
-        (StepChoice::Nt(40.0), DtSetBy::Nt)
-    );
+    assert_eq!((scenario.step, scenario.dt_set_by), (StepChoice::Nt(40.0), DtSetBy::Nt));
     assert!(layered("walls = true", "no_walls = true").walls);
 }
 
@@ -90,21 +76,12 @@ fn flags_override_the_file_and_the_file_the_preset() {
 fn the_guides_numbers_are_the_defaults() {
     let scenario = layered("", "");
     assert_eq!(
-        (
-            scenario.n(),
-            scenario.side,
-            scenario.radius,
-            scenario.mass,
-            scenario.gravity
-        ),
+        (scenario.n(), scenario.side, scenario.radius, scenario.mass, scenario.gravity),
         (20, 0.04, 1e-4, 1e-3, 9.81)
     );
     assert_eq!((scenario.stiffness, scenario.time), (5e4, 1.0));
     assert_eq!(scenario.damping.flag_and_value(), ("--eta", 1.5e-3));
-    assert_eq!(
-        (scenario.step, scenario.dt_set_by),
-        (StepChoice::Nt(50.0), DtSetBy::Preset)
-    );
+    assert_eq!((scenario.step, scenario.dt_set_by), (StepChoice::Nt(50.0), DtSetBy::Preset));
     // Eq. (2): pi sqrt(1e-3 / 5e4) / 50 = 8.8858e-6 s, so 112,540 steps.
     assert_eq!(scenario.steps(), 112_540);
 }
@@ -128,18 +105,12 @@ fn presets_read_the_guide_in_four_ways() {
         scenario.notes(discs.particles()).join("\n")
     };
     let scaled = notes("preset = 'guide-mass-scaled'");
-    assert!(
-        scaled.contains("0.790 for a pair and 0.715 at a wall"),
-        "{scaled}"
-    );
+    assert!(scaled.contains("0.790 for a pair and 0.715 at a wall"), "{scaled}");
     let printed = notes("preset = 'guide-printed'");
     assert!(printed.contains("zeta = 150.000"), "{printed}");
     let guide = notes("");
     assert!(guide.contains("the guide prints eta_n = 1.5e3"), "{guide}");
-    assert!(
-        guide.contains("1.25 r deep; try --radius 5e-4 or --kn 1.2e6"),
-        "{guide}"
-    );
+    assert!(guide.contains("1.25 r deep; try --radius 5e-4 or --kn 1.2e6"), "{guide}");
     let listing = notes("preset = 'guide-listing'");
     assert!(!listing.contains("soft"), "{listing}");
 }
@@ -163,12 +134,8 @@ fn every_way_out_of_a_refusal_works() {
         "restitution = 1e-9\ndt = 5e-5",
     ];
     for text in refused {
-        let error = Scenario::resolve(&settings(text), || 1)
-            .expect_err(text)
-            .to_string();
-        let ways_out = error
-            .lines()
-            .find_map(|line| line.trim().strip_prefix("ways out: "));
+        let error = Scenario::resolve(&settings(text), || 1).expect_err(text).to_string();
+        let ways_out = error.lines().find_map(|line| line.trim().strip_prefix("ways out: "));
         let ways_out: Vec<_> = ways_out.expect(&error).split(", or ").collect();
         assert!(ways_out.len() >= 2, "{text}: {error}");
         for way_out in ways_out {
@@ -176,13 +143,59 @@ fn every_way_out_of_a_refusal_works() {
             let value = if value == "auto" { "'auto'" } else { value };
             let flags = settings(&format!("{} = {value}", flag.trim_start_matches("--")));
             let mended = Scenario::resolve(&flags.over(settings(text)), || 1);
-            assert!(
-                mended.is_ok(),
-                "{text}: {way_out} does not help: {}",
-                mended.unwrap_err()
-            );
+            assert!(mended.is_ok(), "{text}: {way_out} does not help: {}", mended.unwrap_err());
         }
     }
+}
+
+#[test]
+fn ways_out_of_a_box_too_full_find_room() {
+    for text in [
+        "n = 1000\nradius = 5.6e-4",
+        "n = 2\nradius = 0.0199",
+        "n = 10\nradius = 0.01",
+        "n = 5\nradius = 0.015",
+        "n = 3000\nradius = 1e-3\nplacement = 'lattice'",
+        "n = 1\nradius = 0.03\nwalls = false",
+        "n = 20\nradius = 1\nwalls = false",
+        "[[disc]]\nposition = [0.02, 0.02]\n[[population]]\nn = 1150\nradius = 5e-4",
+    ] {
+        for seed in 1..4 {
+            let text = format!("seed = {seed}\n{text}");
+            let error = layered("", &text).build().map(|_| ()).expect_err(&text).to_string();
+            let ways_out = error.lines().find_map(|line| line.trim().strip_prefix("way out: "));
+            let ways_out: Vec<_> = ways_out.expect(&error).split(", or ").collect();
+            assert!(!ways_out.is_empty(), "{error}");
+            for way_out in ways_out {
+                let (flag, value) = way_out.split_once(' ').unwrap();
+                let value = if value == "lattice" { "'lattice'" } else { value };
+                let flags = format!("{} = {value}", flag.trim_start_matches('-'));
+                let mended = layered(&flags, &text).build();
+                assert!(mended.is_ok(), "{text}: {way_out}: {}", mended.err().unwrap());
+            }
+        }
+    }
+}
+
+#[test]
+fn an_offered_nt_does_not_blow_up() {
+    // N_t = 4 is below the limit and multiplies an elastic heap's energy; what is offered is not.
+    let text = "n = 300\nradius = 5e-4\neta = 0\nseed = 1\nnt = 1\ntime = 0.3";
+    let error = Scenario::resolve(&settings(text), || 1).unwrap_err().to_string();
+    let nt = error.split("--nt ").nth(2).expect(&error).split(',').next().unwrap();
+    let scenario = layered(&format!("nt = {nt}"), text);
+    let mut simulation = scenario.build().unwrap();
+    let energy = |s: &_| parsim2d::analysis::energy::MechanicalEnergy::of(s).total();
+    let start = energy(&simulation);
+    (0..scenario.steps()).for_each(|_| simulation.step());
+    // N_t = 10 gains a few per cent a second in a crowded box.
+    assert!(energy(&simulation) < 1.1 * start, "--nt {nt}: {}", energy(&simulation) / start);
+}
+
+#[test]
+fn a_radius_that_no_disc_has_is_not_judged() {
+    let text = "side = 1e-4\n[[disc]]\nposition = [5e-5, 5e-5]\nradius = 1e-6";
+    assert_eq!(layered("", text).n(), 1);
 }
 
 #[test]
@@ -190,20 +203,11 @@ fn stability_is_judged_by_the_number_of_discs() {
     // (2/omega0)(sqrt(1+zeta²) - zeta) sqrt(k/m): 2 for one disc, sqrt 2 for a pair, and
     // 2/sqrt(6.1) = 0.8098 from three discs on.
     let unit = (1e-3f64 / 5e4).sqrt();
-    for (n, limit) in [
-        (1, 2.0),
-        (2, 2.0f64.sqrt()),
-        (3, 2.0 / 6.1f64.sqrt()),
-        (1000, 0.80978),
-    ] {
+    for (n, limit) in [(1, 2.0), (2, 2.0f64.sqrt()), (3, 2.0 / 6.1f64.sqrt()), (1000, 0.80978)] {
         for (factor, accepted) in [(0.999, true), (1.001, false)] {
             let dt = factor * limit * unit;
             let text = format!("n = {n}\neta = 0\ndt = {dt:e}");
-            assert_eq!(
-                Scenario::resolve(&settings(&text), || 1).is_ok(),
-                accepted,
-                "{text}"
-            );
+            assert_eq!(Scenario::resolve(&settings(&text), || 1).is_ok(), accepted, "{text}");
         }
     }
 }
@@ -232,15 +236,7 @@ fn some_scenario() -> impl Strategy<Value = String> {
             .prop_map(move |value| value.map(|v| format!("{key} = {v}\n")).unwrap_or_default())
     };
     let keys = vec![
-        one(
-            "preset",
-            &[
-                "'guide'",
-                "'guide-listing'",
-                "'guide-mass-scaled'",
-                "'guide-printed'",
-            ],
-        ),
+        one("preset", &["'guide'", "'guide-listing'", "'guide-mass-scaled'", "'guide-printed'"]),
         one("seed", &["0", "7", "9223372036854775807"]),
         one("side", &["0.05", "'6cm'"]),
         one("radius", &["1.23456789012345e-4", "'0.2mm'"]),
@@ -251,14 +247,7 @@ fn some_scenario() -> impl Strategy<Value = String> {
         one("walls", &["true", "false"]),
         one("dt", &["'auto'", "1e-7", "'0.1us'"]),
         one("time", &["0", "'1ms'"]),
-        one(
-            "integrator",
-            &[
-                "'velocity-verlet'",
-                "'explicit-euler'",
-                "'symplectic-euler'",
-            ],
-        ),
+        one("integrator", &["'velocity-verlet'", "'explicit-euler'", "'symplectic-euler'"]),
         one("placement", &["'lattice'", "'random'"]),
         one("speed", &["0.1", "'5 cm/s'"]),
         one("every", &["1", "1000"]),
@@ -277,9 +266,14 @@ fn some_scenario() -> impl Strategy<Value = String> {
 }
 
 proptest! {
+    #![proptest_config(support::steady())]
+
     #[test]
     fn a_printed_scenario_is_read_back_as_the_same(text in some_scenario()) {
-        let scenario = layered("", &text);
+        // Listed discs alone take no speed and no placement.
+        let scenario = Scenario::resolve(&settings(&text), || 1);
+        prop_assume!(scenario.is_ok());
+        let scenario = scenario.unwrap();
         let again = layered("", &scenario.to_toml());
         prop_assert_eq!(&scenario, &again);
         prop_assert_eq!(scenario.build().unwrap().state_hash(), again.build().unwrap().state_hash());

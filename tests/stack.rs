@@ -15,17 +15,9 @@ fn stack(shifts: [f64; 2], dt: f64) -> Simulation {
     let sag = MASS * GRAVITY / STIFFNESS;
     let lower = RADIUS - 2.0 * sag + shifts[0];
     let upper = 3.0 * RADIUS - 3.0 * sag + shifts[1];
-    let discs = [lower, upper]
-        .map(|y| disc_at(DVec2::new(0.0, y), DVec2::ZERO))
-        .to_vec();
+    let discs = [lower, upper].map(|y| disc_at(DVec2::new(0.0, y), DVec2::ZERO)).to_vec();
     let forces = vec![walls(law(ELASTIC), &[floor()]), contacts(law(ELASTIC))];
-    Simulation::new(
-        discs,
-        DVec2::new(0.0, -GRAVITY),
-        forces,
-        INTEGRATORS[0].1(),
-        dt,
-    )
+    Simulation::new(discs, DVec2::new(0.0, -GRAVITY), forces, INTEGRATORS[0].1(), dt)
 }
 
 #[test]

@@ -78,11 +78,7 @@ pub fn damping_ratio_for(e: f64, end: ContactEnd) -> f64 {
             }
             for _ in 0..200 {
                 let middle = 0.5 * (low + high);
-                if restitution(middle, end) > e {
-                    low = middle
-                } else {
-                    high = middle
-                }
+                if restitution(middle, end) > e { low = middle } else { high = middle }
             }
             0.5 * (low + high)
         }

@@ -82,9 +82,7 @@ impl EnergyLedger {
     /// Opens the ledger: from now on the simulation books its works.
     pub fn open(simulation: &mut Simulation) -> Self {
         simulation.keep_work_ledger();
-        Self {
-            kinetic_at_start: kinetic_energy(simulation.particles()),
-        }
+        Self { kinetic_at_start: kinetic_energy(simulation.particles()) }
     }
 
     /// The ledger's line for the present state.

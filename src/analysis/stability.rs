@@ -51,6 +51,8 @@ pub struct Limit {
     pub dt: f64,
     /// What sets it.
     pub by: LimitedBy,
+    /// Whether its fastest mode is damped so strongly that it does not swing.
+    pub is_overdamped: bool,
 }
 
 /// The stable limit (s) of one mode: omega² = k_n lambda, damping eta_n lambda. k_n in N/m, eta_n in
@@ -64,10 +66,14 @@ pub struct Limit {
 /// }
 /// ```
 pub fn mode_limit(stiffness: f64, eta: f64, lambda: f64) -> f64 {
-    let omega = (stiffness * lambda).sqrt();
-    let zeta = eta * lambda / (2.0 * omega);
+    let (omega, zeta) = frequency_and_damping_ratio(stiffness, eta, lambda);
     // sqrt(1 + zeta²) - zeta, without losing digits at large zeta.
     2.0 / omega / (1.0f64.hypot(zeta) + zeta)
+}
+
+fn frequency_and_damping_ratio(stiffness: f64, eta: f64, lambda: f64) -> (f64, f64) {
+    let omega = (stiffness * lambda).sqrt();
+    (omega, eta * lambda / (2.0 * omega))
 }
 
 /// The limit for `n` discs whose lightest has mass `lightest` and heaviest `heaviest` (kg):
@@ -87,11 +93,7 @@ pub fn mode_limit(stiffness: f64, eta: f64, lambda: f64) -> f64 {
 /// ```
 pub fn limit(law: &SpringDashpot, n: usize, lightest: f64, heaviest: f64) -> Limit {
     let pair_mass = lightest * heaviest / (lightest + heaviest);
-    let pair_lambda = if n == 2 {
-        1.0 / pair_mass
-    } else {
-        2.0 / lightest
-    };
+    let pair_lambda = if n == 2 { 1.0 / pair_mass } else { 2.0 / lightest };
     let modes = [
         (1, LimitedBy::OneDisc, lightest, 1.0 / lightest),
         (2, LimitedBy::Pair, pair_mass, pair_lambda),
@@ -102,10 +104,9 @@ pub fn limit(law: &SpringDashpot, n: usize, lightest: f64, heaviest: f64) -> Lim
         .filter(|&(discs, ..)| discs <= n.max(1))
         .map(|(_, by, reduced_mass, lambda)| {
             let eta = law.damping.coefficient(law.stiffness, reduced_mass);
-            Limit {
-                dt: mode_limit(law.stiffness, eta, lambda),
-                by,
-            }
+            let (_, zeta) = frequency_and_damping_ratio(law.stiffness, eta, lambda);
+            let dt = mode_limit(law.stiffness, eta, lambda);
+            Limit { dt, by, is_overdamped: zeta >= 1.0 }
         })
         .min_by(|a, b| a.dt.total_cmp(&b.dt))
         .expect("one disc at a wall always counts")

@@ -3,13 +3,12 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use rand::TryRng;
 
 use super::Failure;
+use super::interrupt::Interrupt;
 use super::watch::{Watch, placing_spinner};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::recorder::Recorder;
@@ -31,29 +30,27 @@ pub(super) struct RunArguments {
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
-    let scenario = scenario(arguments)?;
+    let (scenario, seed_was_drawn) = scenario(arguments)?;
     if arguments.print_config {
         io::stdout().write_all(scenario.to_toml().as_bytes())?;
         return Ok(ExitCode::SUCCESS);
     }
+    let interrupt = Interrupt::listen();
     let spinner = placing_spinner(scenario.output.quiet);
     let mut simulation = scenario.build()?;
     spinner.finish_and_clear();
+    interrupt.finish_files_first();
     let mut recorder = Recorder::create(&scenario.output_plan(), &mut simulation)?;
-    say_notes(&scenario, &simulation);
+    say_notes(&scenario, &simulation, seed_was_drawn);
     let start = MechanicalEnergy::of(&simulation).total();
 
-    let interrupted = interrupt_flag();
-    let stop = || interrupted.load(Ordering::Relaxed);
+    let stop = || interrupt.is_raised();
     let output = &scenario.output;
     let quiet = output.quiet;
     let mut watch = Watch::start(&simulation, scenario.steps(), output.slowdown, quiet);
     let end = scenario.steps();
     while simulation.steps() < end && !stop() {
-        let until = recorder
-            .next_due()
-            .min(watch.next_look(&simulation))
-            .min(end);
+        let until = recorder.next_due().min(watch.next_look(&simulation)).min(end);
         watch.step_until(&mut simulation, until);
         recorder.record_due(&simulation)?;
         if output.every.is_none() {
@@ -64,16 +61,15 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     recorder.finish(&simulation)?;
     watch.finish();
 
-    report(&scenario, &summary(&scenario, &simulation, start, &watch))?;
-    Ok(ExitCode::from(if simulation.steps() < end {
-        130
-    } else {
-        0
-    }))
+    match report(&scenario, &summary(&scenario, &simulation, start, &watch)) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
+        done => done?,
+    }
+    Ok(ExitCode::from(if simulation.steps() < end { 130 } else { 0 }))
 }
 
-/// Flags over file over preset.
-fn scenario(arguments: &RunArguments) -> Result<Scenario, Failure> {
+/// Flags over file over preset; and whether the seed was drawn.
+fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
         Some(path) if path.extension().is_none() && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
@@ -81,7 +77,7 @@ fn scenario(arguments: &RunArguments) -> Result<Scenario, Failure> {
         Some(path) => arguments.settings.clone().over(file::read(path)?),
         None => arguments.settings.clone(),
     };
-    Ok(Scenario::resolve(&said, drawn_seed)?)
+    Ok((Scenario::resolve(&said, drawn_seed)?, said.seed.is_none()))
 }
 
 /// A seed from the operating system, short enough to type.
@@ -91,25 +87,17 @@ fn drawn_seed() -> u64 {
     u64::from(drawn.unwrap_or_else(|_| std::process::id()))
 }
 
-fn say_notes(scenario: &Scenario, simulation: &Simulation) {
+fn say_notes(scenario: &Scenario, simulation: &Simulation, seed_was_drawn: bool) {
     if !scenario.output.quiet {
+        if seed_was_drawn {
+            let seed = scenario.seed;
+            let _ =
+                writeln!(io::stderr(), "note: seed {seed}, drawn; --seed {seed} repeats this run");
+        }
         for note in scenario.notes(simulation.particles()) {
             let _ = writeln!(io::stderr(), "note: {note}"); // a closed stderr is no failure
         }
     }
-}
-
-/// A flag that Ctrl-C and SIGTERM raise; pressed twice, the program ends at once.
-fn interrupt_flag() -> Arc<AtomicBool> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let raised = Arc::clone(&flag);
-    // Without a handler Ctrl-C ends the program at once, which is all that is lost.
-    let _ = ctrlc::set_handler(move || {
-        if raised.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    flag
 }
 
 fn summary(scenario: &Scenario, simulation: &Simulation, start: f64, watch: &Watch) -> Summary {
@@ -144,9 +132,20 @@ fn report(scenario: &Scenario, summary: &Summary) -> io::Result<()> {
     if scenario.output.json {
         summary.write_json(&mut out)?;
     } else if !scenario.output.quiet {
-        let overlap = summary.max_overlap_over_r;
-        let cure = (overlap > notes::SOFT).then(|| scenario.cure_for_softness(overlap));
-        summary.write_text(&mut out, cure.as_deref())?;
+        summary.write_text(&mut out, remark(scenario, summary).as_deref())?;
     }
     out.flush()
+}
+
+/// What to say of the overlaps: nothing of a run whose numbers went astray for another reason.
+fn remark(scenario: &Scenario, summary: &Summary) -> Option<String> {
+    let overlap = summary.max_overlap_over_r;
+    if !summary.energy_end_J.is_finite() {
+        return Some("; the numbers have overflowed, this run says nothing".to_owned());
+    }
+    let soft = overlap > notes::SOFT && summary.energy_end_J < 2.0 * summary.energy_start_J.abs();
+    soft.then(|| {
+        let cure = scenario.cure_for_softness(overlap);
+        format!(": more than half a radius, discs too soft; {cure}")
+    })
 }

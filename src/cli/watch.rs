@@ -38,11 +38,7 @@ impl Watch {
             steps_per_look = steps_per_look.min((per_look as u64).max(1));
         }
         let now = Instant::now();
-        let bar = if quiet {
-            ProgressBar::hidden()
-        } else {
-            progress_bar(steps)
-        };
+        let bar = if quiet { ProgressBar::hidden() } else { progress_bar(steps) };
         Self {
             started: now,
             next_refresh: now,
@@ -84,8 +80,7 @@ impl Watch {
     /// `interrupted` says stop.
     pub fn keep_pace(&self, simulation: &Simulation, interrupted: impl Fn() -> bool) {
         self.bar.set_position(simulation.steps());
-        self.bar
-            .set_message(format!("t = {:.4} s", simulation.time()));
+        self.bar.set_message(format!("t = {:.4} s", simulation.time()));
         let Some(slowdown) = self.slowdown else {
             return;
         };
@@ -125,11 +120,7 @@ fn progress_bar(steps: u64) -> ProgressBar {
 
 /// Says, on terminals only, that a large box is being filled.
 pub(super) fn placing_spinner(quiet: bool) -> ProgressBar {
-    let spinner = if quiet {
-        ProgressBar::hidden()
-    } else {
-        ProgressBar::new_spinner()
-    };
+    let spinner = if quiet { ProgressBar::hidden() } else { ProgressBar::new_spinner() };
     spinner.set_message("placing the discs");
     spinner.enable_steady_tick(Duration::from_millis(200));
     spinner

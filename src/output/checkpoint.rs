@@ -18,9 +18,8 @@ pub fn refuse_foreign(folder: &Path) -> Result<(), OutputError> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Ok(()); // no folder yet, no checkpoints
     };
-    let mut ours = entries
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| is_ours(path));
+    let mut ours =
+        entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| is_ours(path));
     match ours.next() {
         None => Ok(()),
         Some(path) => {
@@ -39,11 +38,7 @@ fn is_ours(path: &Path) -> bool {
 /// The format's number, if the file begins as a checkpoint does.
 fn format(path: &Path) -> io::Result<Option<u32>> {
     let mut line = Vec::new();
-    BufReader::new(File::open(path)?)
-        .take(100)
-        .read_until(b'\n', &mut line)?;
+    BufReader::new(File::open(path)?).take(100).read_until(b'\n', &mut line)?;
     let line = String::from_utf8_lossy(&line).into_owned();
-    Ok(line
-        .strip_prefix(MAGIC)
-        .and_then(|rest| rest.split_whitespace().next()?.parse().ok()))
+    Ok(line.strip_prefix(MAGIC).and_then(|rest| rest.split_whitespace().next()?.parse().ok()))
 }

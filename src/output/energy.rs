@@ -25,17 +25,12 @@ pub struct EnergyFile {
 impl EnergyFile {
     /// A ledger file that goes to `file`, named `path` in messages.
     pub fn new(file: File, path: PathBuf) -> Self {
-        Self {
-            path,
-            out: csv::Writer::from_writer(file),
-        }
+        Self { path, out: csv::Writer::from_writer(file) }
     }
 
     /// Appends `row`, after the header if it is the first.
     pub fn append(&mut self, row: &LedgerRow) -> Result<(), OutputError> {
-        self.out
-            .serialize(row)
-            .map_err(|why| self.failed(why.into()))
+        self.out.serialize(row).map_err(|why| self.failed(why.into()))
     }
 
     /// Writes out what is still held back.
@@ -44,9 +39,6 @@ impl EnergyFile {
     }
 
     fn failed(&self, source: std::io::Error) -> OutputError {
-        OutputError::Write {
-            path: self.path.clone(),
-            source,
-        }
+        OutputError::Write { path: self.path.clone(), source }
     }
 }

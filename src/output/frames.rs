@@ -65,12 +65,9 @@ pub fn write_border(out: &mut impl Write, side: f64, radius: f64) -> io::Result<
     let mut text = Vec::new();
     for k in 0..per_side {
         let along = (2 * k + 1) as f64 * radius;
-        for (x, y) in [
-            (along, -radius),
-            (along, side + radius),
-            (-radius, along),
-            (side + radius, along),
-        ] {
+        for (x, y) in
+            [(along, -radius), (along, side + radius), (-radius, along), (side + radius, along)]
+        {
             push_row(&mut text, &[x, y, radius]);
             text.push(b'\n');
         }
@@ -98,76 +95,112 @@ pub struct FrameRow {
     pub velocity: Option<DVec2>,
 }
 
+/// A frame as read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// The discs, in the order of the file.
+    pub rows: Vec<FrameRow>,
+    /// Side of the box, m, if the header says it.
+    pub side: Option<f64>,
+    /// Number of discs that the header says.
+    declared: Option<usize>,
+}
+
+impl Frame {
+    /// The frame, unless it is shorter than its header says: what a full disk leaves.
+    fn whole(self) -> Result<Self, String> {
+        match self.declared {
+            Some(n) if self.rows.len() < n => {
+                Err(format!("the frame is cut off: {} of {n} discs", self.rows.len()))
+            }
+            _ => Ok(self),
+        }
+    }
+
+    fn read_header(&mut self, header: &str) {
+        let words: Vec<&str> = header.split_whitespace().collect();
+        for pair in words.windows(2) {
+            match pair[0] {
+                "n" => self.declared = pair[1].parse().ok(),
+                "side_m" => self.side = pair[1].parse().ok(),
+                _ => {}
+            }
+        }
+    }
+
+    fn read_row(&mut self, line: &str) -> Result<(), String> {
+        if self.declared.is_some_and(|n| self.rows.len() >= n) {
+            return Ok(()); // a border
+        }
+        let row = parse_row(line)?;
+        if self.rows.last().is_some_and(|last| last.velocity.is_some() != row.velocity.is_some()) {
+            return Err("fewer or more columns than the line before".to_owned());
+        }
+        self.rows.push(row);
+        Ok(())
+    }
+}
+
 /// Reads one frame, number `wanted` from 0, or the last. Lines that begin with `#` and columns
 /// past the fifth are passed over; any run of blank lines ends a frame; rows past the `n` of the
 /// frame's header (a border) are left out.
 ///
 /// Errors are sentences that name the line.
-pub fn read_frame(input: impl BufRead, wanted: Option<usize>) -> Result<Vec<FrameRow>, String> {
-    let mut rows: Vec<FrameRow> = Vec::new();
-    let (mut finished, mut in_gap, mut declared) = (0, false, usize::MAX);
-    for (number, line) in input.lines().enumerate() {
-        let line = line.map_err(|why| format!("line {}: {why}", number + 1))?;
-        let line = line.trim();
+pub fn read_frame(mut input: impl BufRead, wanted: Option<usize>) -> Result<Frame, String> {
+    let mut frame = Frame::default();
+    let (mut finished, mut in_gap, mut number) = (0, false, 0);
+    let mut text = Vec::new();
+    loop {
+        text.clear();
+        number += 1;
+        let at = |why: String| format!("line {number}: {why}");
+        if input.read_until(b'\n', &mut text).map_err(|why| at(why.to_string()))? == 0 {
+            break;
+        }
+        let is_cut = frame.declared.is_some() && text.last() != Some(&b'\n');
+        let line = std::str::from_utf8(&text).map_err(|_| at("this is not text".to_owned()))?;
+        let line = line.trim_start_matches('\u{feff}').trim(); // some editors begin with a mark
         if line.is_empty() {
             in_gap = true;
             continue;
         }
-        if std::mem::take(&mut in_gap) && !rows.is_empty() {
+        if std::mem::take(&mut in_gap) && !frame.rows.is_empty() {
             if wanted == Some(finished) {
-                return Ok(rows);
+                return frame.whole();
             }
             finished += 1;
-            rows.clear();
-            declared = usize::MAX;
+            frame = Frame::default();
         }
-        if let Some(header) = line.strip_prefix('#') {
-            declared = declared_rows(header).unwrap_or(declared);
-        } else if rows.len() < declared {
-            rows.push(parse_row(line).map_err(|why| format!("line {}: {why}", number + 1))?);
+        match line.strip_prefix('#') {
+            Some(header) => frame.read_header(header),
+            None if is_cut => return Err(at("the line is cut off".to_owned())),
+            None => frame.read_row(line).map_err(at)?,
         }
     }
     match wanted {
-        _ if rows.is_empty() => Err("it holds no frame".to_owned()),
-        Some(k) if k > finished => Err(format!(
-            "frame {k} was asked for; it holds frames 0 to {finished}"
-        )),
-        _ => Ok(rows),
+        _ if frame.rows.is_empty() => Err("it holds no frame".to_owned()),
+        Some(k) if k > finished => {
+            Err(format!("frame {k} was asked for; it holds frames 0 to {finished}"))
+        }
+        _ => frame.whole(),
     }
-}
-
-fn declared_rows(header: &str) -> Option<usize> {
-    let mut words = header.split_whitespace();
-    words.find(|&word| word == "n")?;
-    words.next()?.parse().ok()
 }
 
 fn parse_row(line: &str) -> Result<FrameRow, String> {
     let mut values = [0.0_f64; 5];
     let mut columns = 0;
     for (value, word) in values.iter_mut().zip(line.split_whitespace()) {
-        *value = word
-            .parse()
-            .map_err(|_| format!("`{word}` is not a number"))?;
+        *value = word.parse().map_err(|_| format!("`{word}` is not a number"))?;
         if !value.is_finite() {
             return Err(format!("`{word}` is not finite"));
         }
         columns += 1;
     }
     let [x, y, radius, vx, vy] = values;
-    match columns {
-        3 | 4 => Ok(FrameRow {
-            position: DVec2::new(x, y),
-            radius,
-            velocity: None,
-        }),
-        5 => Ok(FrameRow {
-            position: DVec2::new(x, y),
-            radius,
-            velocity: Some(DVec2::new(vx, vy)),
-        }),
-        _ => Err(format!(
-            "{columns} columns; a disc is `x y r` or `x y r vx vy`"
-        )),
-    }
+    let velocity = match columns {
+        3 | 4 => None,
+        5 => Some(DVec2::new(vx, vy)),
+        _ => return Err(format!("{columns} columns; a disc is `x y r` or `x y r vx vy`")),
+    };
+    Ok(FrameRow { position: DVec2::new(x, y), radius, velocity })
 }

@@ -1,5 +1,6 @@
 //! `out.txt`: the present frame, `x y r`, replaced whole at every refresh.
 
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use super::OutputError;
@@ -18,14 +19,17 @@ pub struct LiveFrame {
 }
 
 impl LiveFrame {
-    /// Writes the present state, and the border after it.
+    /// Replaces the file by the present state, and the border after it.
     pub fn refresh(&self, simulation: &Simulation) -> Result<(), OutputError> {
-        replace(&self.path, |out| {
-            write_frame(out, simulation, self.side, Columns::Positions)?;
-            match self.border {
-                Some(radius) => write_border(out, self.side, radius),
-                None => Ok(()),
-            }
-        })
+        replace(&self.path, |out| self.write(out, simulation))
+    }
+
+    /// Writes what the file holds to `out`.
+    pub fn write(&self, out: &mut impl Write, simulation: &Simulation) -> io::Result<()> {
+        write_frame(out, simulation, self.side, Columns::Positions)?;
+        match self.border {
+            Some(radius) => write_border(out, self.side, radius),
+            None => Ok(()),
+        }
     }
 }

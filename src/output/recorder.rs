@@ -1,6 +1,7 @@
 //! All files of a run: created together before the first step, each written when it is due.
 
-use std::path::PathBuf;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 use super::OutputError;
 use super::checkpoint::refuse_foreign;
@@ -47,39 +48,36 @@ impl Recorder {
     pub fn create(plan: &OutputPlan, simulation: &mut Simulation) -> Result<Self, OutputError> {
         let folder = &plan.folder;
         refuse_foreign(folder)?;
-        std::fs::create_dir_all(folder).map_err(|source| OutputError::Create {
-            path: folder.clone(),
-            source,
-        })?;
+        make_folder(folder)?;
+        let new = |name: &str| NewFile::create(&folder.join(name));
+        let (live, trajectory) = (new("out.txt")?, new("trajectory.txt")?);
+        let energy = if plan.energy_every > 0 { Some(new("energy.csv")?) } else { None };
+
         let path = |name: &str| folder.join(name);
-        let live = NewFile::create(&path("out.txt"))?;
-        let trajectory = NewFile::create(&path("trajectory.txt"))?;
-        let energy = match plan.energy_every {
-            0 => None,
-            _ => Some(NewFile::create(&path("energy.csv"))?),
-        };
-        live.take_place()?;
-        let trajectory = trajectory.take_place()?;
-        let energy = match energy {
-            Some(file) => {
-                let file = EnergyFile::new(file.take_place()?, path("energy.csv"));
-                Some((EnergyLedger::open(simulation), file))
-            }
+        let energy_file = match &energy {
+            Some(new) => Some((
+                EnergyLedger::open(simulation),
+                EnergyFile::new(new.writer()?, path("energy.csv")),
+            )),
             None => None,
         };
+        let frames = Trajectory::new(trajectory.writer()?, path("trajectory.txt"), plan.side);
         let mut recorder = Self {
             plan: plan.clone(),
-            live: LiveFrame {
-                path: path("out.txt"),
-                side: plan.side,
-                border: plan.border,
-            },
-            trajectory: Trajectory::new(trajectory, path("trajectory.txt"), plan.side),
-            energy,
+            live: LiveFrame { path: path("out.txt"), side: plan.side, border: plan.border },
+            trajectory: frames,
+            energy: energy_file,
             frame_at: simulation.steps(),
             energy_at: simulation.steps(),
         };
-        recorder.write_all(simulation)?;
+        recorder.write_start(&live, simulation)?;
+        // All have their first frame; only now does anything old go.
+        live.take_place()?;
+        trajectory.take_place()?;
+        match energy {
+            Some(energy) => energy.take_place()?,
+            None => remove_if_there(&path("energy.csv"))?, // of a former run
+        }
         Ok(recorder)
     }
 
@@ -96,6 +94,7 @@ impl Recorder {
     pub fn record_due(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         if simulation.steps() >= self.frame_at + self.plan.frame_every {
             self.append_frame(simulation)?;
+            self.flush_energy()?; // whole rows for who reads along
             if self.plan.live_follows_frames {
                 self.live.refresh(simulation)?;
             }
@@ -119,16 +118,21 @@ impl Recorder {
         if self.energy_at < simulation.steps() {
             self.append_energy(simulation)?;
         }
-        if let Some((_, file)) = &mut self.energy {
-            file.flush()?;
-        }
+        self.flush_energy()?;
         self.live.refresh(simulation)
     }
 
-    fn write_all(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+    fn write_start(&mut self, live: &NewFile, simulation: &Simulation) -> Result<(), OutputError> {
         self.append_frame(simulation)?;
         self.append_energy(simulation)?;
-        self.live.refresh(simulation)
+        self.flush_energy()?;
+        let mut out = BufWriter::new(live.writer()?);
+        let failed = |source| OutputError::Write { path: self.live.path.clone(), source };
+        self.live.write(&mut out, simulation).and_then(|()| out.flush()).map_err(failed)
+    }
+
+    fn flush_energy(&mut self) -> Result<(), OutputError> {
+        self.energy.as_mut().map_or(Ok(()), |(_, file)| file.flush())
     }
 
     fn append_frame(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
@@ -142,5 +146,22 @@ impl Recorder {
             Some((ledger, file)) => file.append(&ledger.row(simulation)),
             None => Ok(()),
         }
+    }
+}
+
+fn make_folder(folder: &Path) -> Result<(), OutputError> {
+    let refuse = |source| OutputError::Create { path: folder.to_owned(), source };
+    if folder.exists() && !folder.is_dir() {
+        return Err(refuse(io::Error::new(io::ErrorKind::NotADirectory, "it is a file")));
+    }
+    std::fs::create_dir_all(folder).map_err(refuse)
+}
+
+fn remove_if_there(path: &Path) -> Result<(), OutputError> {
+    match std::fs::remove_file(path) {
+        Err(source) if source.kind() != io::ErrorKind::NotFound => {
+            Err(OutputError::Create { path: path.to_owned(), source })
+        }
+        _ => Ok(()),
     }
 }

@@ -10,44 +10,41 @@ use super::OutputError;
 /// A new file under its temporary name.
 pub struct NewFile {
     path: PathBuf,
-    file: Option<File>,
+    file: File,
+    is_in_place: bool,
 }
 
 impl NewFile {
     /// Creates the temporary file beside `path`. Whatever is at `path` stays as it is until
     /// [`take_place`](Self::take_place).
     pub fn create(path: &Path) -> Result<Self, OutputError> {
-        let refuse = |source| OutputError::Create {
-            path: path.to_owned(),
-            source,
-        };
+        let refuse = |source| OutputError::Create { path: path.to_owned(), source };
         if path.is_dir() {
             return Err(refuse(io::Error::from(io::ErrorKind::IsADirectory)));
         }
         let file = File::create(temporary(path)).map_err(refuse)?;
-        Ok(Self {
-            path: path.to_owned(),
-            file: Some(file),
-        })
+        Ok(Self { path: path.to_owned(), file, is_in_place: false })
     }
 
-    /// Gives the file its name; it stays open for writing.
-    pub fn take_place(mut self) -> Result<File, OutputError> {
-        let file = self.file.take().expect("taken once, by value");
-        rename(&self.path).map_err(|source| {
-            let _ = fs::remove_file(temporary(&self.path)); // it has no other use
-            OutputError::Create {
-                path: self.path.clone(),
-                source,
-            }
-        })?;
-        Ok(file)
+    /// A handle to write with, before and after the file takes its place.
+    pub fn writer(&self) -> Result<File, OutputError> {
+        self.file
+            .try_clone()
+            .map_err(|source| OutputError::Create { path: self.path.clone(), source })
+    }
+
+    /// Gives the file its name; handles stay good for writing.
+    pub fn take_place(mut self) -> Result<(), OutputError> {
+        self.is_in_place = rename(&self.path)
+            .map(|()| true)
+            .map_err(|source| OutputError::Create { path: self.path.clone(), source })?;
+        Ok(())
     }
 }
 
 impl Drop for NewFile {
     fn drop(&mut self) {
-        if self.file.is_some() {
+        if !self.is_in_place {
             let _ = fs::remove_file(temporary(&self.path)); // never took its place
         }
     }
@@ -66,16 +63,14 @@ pub fn replace(
     };
     whole().map_err(|source| {
         let _ = fs::remove_file(temporary(path)); // half a file helps nobody
-        OutputError::Write {
-            path: path.to_owned(),
-            source,
-        }
+        OutputError::Write { path: path.to_owned(), source }
     })
 }
 
 fn temporary(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(".tmp");
+    // Two runs in one folder must not write into one file, nor into somebody's own out.txt.tmp.
+    name.push(format!(".{}.tmp", std::process::id()));
     path.with_file_name(name)
 }
 

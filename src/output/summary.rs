@@ -55,43 +55,23 @@ impl Summary {
         writeln!(out)
     }
 
-    /// Writes the summary for a person. `cure` says what brings large overlaps down.
-    pub fn write_text(&self, out: &mut impl Write, cure: Option<&str>) -> io::Result<()> {
-        let Self {
-            seed,
-            n,
-            preset,
-            integrator,
-            dt_s,
-            steps,
-            time_s,
-            wall_s,
-            ..
-        } = self;
-        let stopped = if self.interrupted {
-            ", interrupted"
-        } else {
-            ""
-        };
+    /// Writes the summary for a person. `remark` is put after the largest overlap.
+    pub fn write_text(&self, out: &mut impl Write, remark: Option<&str>) -> io::Result<()> {
+        let Self { seed, n, preset, integrator, dt_s, steps, time_s, wall_s, .. } = self;
+        let stopped = if self.interrupted { ", interrupted" } else { "" };
         let speed = 1e-6 * self.particle_steps_per_s;
         let (start, end) = (self.energy_start_J, self.energy_end_J);
         let dissipated = self.dissipated_J.map(|d| format!(", {d:.6e} J dissipated"));
-        let soft = cure.map(|cure| format!(": more than half a radius, discs too soft; {cure}"));
         writeln!(out, "n        {n} discs, preset {preset}, seed {seed}")?;
-        writeln!(
-            out,
-            "dt       {dt_s:.4e} s ({}), {integrator}",
-            self.who_set_dt()
-        )?;
+        writeln!(out, "dt       {dt_s:.4e} s ({}), {integrator}", self.who_set_dt())?;
         writeln!(out, "run      {steps} steps to t = {time_s:.6} s{stopped}")?;
-        writeln!(
-            out,
-            "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s"
-        )?;
+        writeln!(out, "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s")?;
         write!(out, "energy   {start:.6e} J at start, {end:.6e} J at end")?;
         writeln!(out, "{}", dissipated.unwrap_or_default())?;
-        write!(out, "overlap  at most {:.3} r", self.max_overlap_over_r)?;
-        writeln!(out, "{}", soft.unwrap_or_default())?;
+        let overlap = self.max_overlap_over_r;
+        let digits = if overlap < 1e6 { format!("{overlap:.3}") } else { format!("{overlap:.1e}") };
+        write!(out, "overlap  at most {digits} r")?;
+        writeln!(out, "{}", remark.unwrap_or_default())?;
         writeln!(out, "state    {}", self.state_hash)
     }
 

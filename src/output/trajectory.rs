@@ -37,12 +37,7 @@ pub struct Trajectory {
 impl Trajectory {
     /// A trajectory that goes to `file`, named `path` in messages; box of `side` (m).
     pub fn new(file: File, path: PathBuf, side: f64) -> Self {
-        Self {
-            path,
-            out: BufWriter::with_capacity(1 << 16, file),
-            side,
-            frames: 0,
-        }
+        Self { path, out: BufWriter::with_capacity(1 << 16, file), side, frames: 0 }
     }
 
     /// Appends the present state.
@@ -54,9 +49,6 @@ impl Trajectory {
             .write_all(gap.as_bytes())
             .and_then(|()| write_frame(&mut self.out, simulation, self.side, columns))
             .and_then(|()| self.out.flush())
-            .map_err(|source| OutputError::Write {
-                path: self.path.clone(),
-                source,
-            })
+            .map_err(|source| OutputError::Write { path: self.path.clone(), source })
     }
 }

@@ -4,7 +4,7 @@ use super::error::ScenarioError;
 use super::settings::Settings;
 
 /// Groups of which at most one member may be said, and what each of them says.
-const GROUPS: [(&[&str], &str); 10] = [
+const GROUPS: [(&[&str], &str); 12] = [
     (&["eta", "gamma", "restitution"], "the damping"),
     (&["nt", "dt"], "the time step"),
     (&["walls", "no_walls"], "whether there are walls"),
@@ -15,6 +15,8 @@ const GROUPS: [(&[&str], &str); 10] = [
     (&["start", "[[population]]"], "where the discs are"),
     (&["n", "[[disc]]"], "how many discs there are"),
     (&["n", "[[population]]"], "how many discs there are"),
+    (&["speed", "only [[disc]]"], "how fast the discs are (say it in velocity)"),
+    (&["placement", "only [[disc]]"], "where the discs are"),
 ];
 
 /// Refuses two choices of one group.
@@ -23,11 +25,7 @@ pub(super) fn check(settings: &Settings) -> Result<(), ScenarioError> {
         let mut said = group.iter().filter(|name| is_said(settings, name));
         if let (Some(&one), Some(&other)) = (said.next(), said.next()) {
             let why = format!("both say {what}");
-            return Err(ScenarioError::Conflict {
-                one: one.into(),
-                other: other.into(),
-                why,
-            });
+            return Err(ScenarioError::Conflict { one: one.into(), other: other.into(), why });
         }
     }
     Ok(())
@@ -46,6 +44,8 @@ fn is_said(settings: &Settings, name: &str) -> bool {
         "n" => settings.n.is_some(),
         "radius" => settings.radius.is_some(),
         "placement" => settings.placement.is_some(),
+        "speed" => settings.speed.is_some(),
+        "only [[disc]]" => !settings.discs.is_empty() && settings.populations.is_empty(),
         "[[disc]]" => !settings.discs.is_empty(),
         "[[population]]" => !settings.populations.is_empty(),
         _ => unreachable!("{name} is in no group"),

@@ -9,10 +9,8 @@ use super::settings::Settings;
 ///
 /// Unknown keys are errors that name the nearest known one; mistakes are told with line and column.
 pub fn read(path: &Path) -> Result<Settings, ScenarioError> {
-    let text = std::fs::read_to_string(path).map_err(|source| ScenarioError::Unreadable {
-        path: path.to_owned(),
-        source,
-    })?;
+    let text = std::fs::read_to_string(path)
+        .map_err(|source| ScenarioError::Unreadable { path: path.to_owned(), source })?;
     parse(&text, path)
 }
 
@@ -20,43 +18,69 @@ pub fn read(path: &Path) -> Result<Settings, ScenarioError> {
 pub fn parse(text: &str, path: &Path) -> Result<Settings, ScenarioError> {
     toml::from_str(text).map_err(|error| {
         let (line, column) = line_and_column(text, error.span().map_or(0, |span| span.start));
-        let message = message(error.message());
-        ScenarioError::Malformed {
-            path: path.to_owned(),
-            line,
-            column,
-            message,
-        }
+        let message = message(error.message(), text.lines().nth(line - 1).unwrap_or_default());
+        ScenarioError::Malformed { path: path.to_owned(), line, column, message }
     })
 }
 
 fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    (
-        before.matches('\n').count() + 1,
-        before[line_start..].chars().count() + 1,
-    )
+    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }
 
-/// The parser's message; for an unknown key, with the nearest known one.
-fn message(original: &str) -> String {
+/// The parser's message in the words of a person; for an unknown key or name, with the nearest
+/// known one.
+fn message(original: &str, line: &str) -> String {
     let mut quoted = original.split('`').skip(1).step_by(2);
-    match (original.starts_with("unknown field"), quoted.next()) {
-        (true, Some(unknown)) => {
-            let known: Vec<&str> = quoted.collect();
-            let advice = match did_you_mean(unknown, &known) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("known keys are {}", known.join(", ")),
-            };
-            format!("unknown key `{unknown}`; {advice}")
-        }
-        _ => original.trim_end().replace('\n', " "),
+    let is_unknown_key = original.starts_with("unknown field");
+    if let (true, Some(unknown)) =
+        (is_unknown_key || original.starts_with("unknown variant"), quoted.next())
+    {
+        let kind = if is_unknown_key { "key" } else { "name" };
+        let known: Vec<&str> = quoted.collect();
+        let advice = match did_you_mean(unknown, &known) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("known are {}", known.join(", ")),
+        };
+        return format!("unknown {kind} `{unknown}`; {advice}");
     }
+    let plain = original.trim_end().replace('\n', " ").replace("i64", "a whole number");
+    if plain.contains("invalid type: map, expected a sequence") {
+        return "a list of tables is wanted: write [[disc]] or [[population]], in two brackets"
+            .into();
+    }
+    if has_decimal_comma(line) {
+        return format!("{plain}; numbers take a dot, not a comma");
+    }
+    plain
 }
+
+fn has_decimal_comma(line: &str) -> bool {
+    let value = line.split('=').nth(1).unwrap_or_default().trim();
+    !value.starts_with(['[', '"', '\'']) && value.contains(',')
+}
+
+/// The guide's symbols, and one-letter ones, for keys with longer names.
+const SYMBOLS: [(&str, &str); 11] = [
+    ("g", "gravity"),
+    ("l", "side"),
+    ("r", "radius"),
+    ("m", "mass"),
+    ("k", "kn"),
+    ("k_n", "kn"),
+    ("eta_n", "eta"),
+    ("N_t", "nt"),
+    ("n_t", "nt"),
+    ("N", "n"),
+    ("e", "restitution"),
+];
 
 /// The known word nearest to `word`, if one is near enough to be meant.
 pub fn did_you_mean<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    if let Some((_, key)) = SYMBOLS.iter().find(|(symbol, _)| *symbol == word) {
+        return known.iter().copied().find(|near| near == key);
+    }
     let likeness = |known: &&str| strsim::jaro_winkler(&word.replace('-', "_"), known);
     known
         .iter()

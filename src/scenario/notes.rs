@@ -1,5 +1,6 @@
 //! Plain lines said before a run: what the guide's numbers do, and what would be better.
 
+use super::number::Num;
 use super::preset::Preset;
 use super::refusal::round_up;
 use super::settings::{IntegratorName, PlacementName};
@@ -11,15 +12,16 @@ use crate::particle::Particle;
 /// Overlaps above this many radii are called soft.
 pub const SOFT: f64 = 0.5;
 
+/// Particle-steps a second on one core of a laptop; for a rough guess only.
+const USUAL_SPEED: f64 = 2e7;
+
 /// Overlap, in radii, that the cure for soft discs aims at.
 const FIRM: f64 = 0.26;
 
 /// `value` rounded up to one digit.
 fn one_digit_up(value: f64) -> f64 {
     let digit = 10f64.powi(value.log10().floor() as i32);
-    format!("{:.0e}", (value / digit).ceil() * digit)
-        .parse()
-        .unwrap_or(value)
+    format!("{:.0e}", (value / digit).ceil() * digit).parse().unwrap_or(value)
 }
 
 impl Scenario {
@@ -37,6 +39,7 @@ impl Scenario {
             self.note_on_overdamping(),
             soft,
             self.note_on_step(),
+            self.note_on_length(),
             self.note_on_explicit_euler(),
             self.note_on_start(discs),
             self.note_on_lattice(),
@@ -49,11 +52,7 @@ impl Scenario {
     /// The deepest overlap, in radii, that a fall through the box or the fastest disc makes at
     /// a wall.
     fn expected_overlap(&self) -> f64 {
-        let fall = if self.walls {
-            2.0 * self.gravity.abs() * self.side
-        } else {
-            0.0
-        };
+        let fall = if self.walls { 2.0 * self.gravity.abs() * self.side } else { 0.0 };
         let speed = (fall + self.fastest_start().powi(2)).sqrt();
         let (smallest, _) = self.radius_range();
         let (_, heaviest) = self.mass_range();
@@ -62,17 +61,18 @@ impl Scenario {
         largest_overlap(speed, zeta, self.stiffness, heaviest) / smallest
     }
 
-    /// The largest speed at the start, m/s.
+    /// The largest speed to expect of the discs' own motion, m/s: discs that are many exchange
+    /// theirs, and twice the rms speed is then common (2 % of Maxwell's distribution in 2D).
     fn fastest_start(&self) -> f64 {
         let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
             DiscSource::Equal(_) => (&[], &[]),
             DiscSource::Listed(listed, groups) => (listed, groups),
-            DiscSource::Frame(_, discs) => (discs, &[]),
+            DiscSource::Frame { discs, .. } => (discs, &[]),
         };
+        let tail = if self.n() > 2 { 2.0 } else { 1.0 };
         let listed = listed.iter().map(|disc| disc.velocity.length());
-        listed
-            .chain(groups.iter().map(|group| group.speed))
-            .fold(self.speed, f64::max)
+        let placed = groups.iter().map(|group| tail * group.speed);
+        listed.chain(placed).fold(tail * self.speed, f64::max)
     }
 
     /// Flags that bring overlaps of `overlap` radii down: a radius that suits the fall, if that
@@ -84,9 +84,9 @@ impl Scenario {
         let fits = area < 0.5 * self.side * self.side;
         match &self.discs {
             DiscSource::Equal(_) if fits && radius > self.radius => {
-                format!("try --radius {radius:e} or --kn {kn:e}")
+                format!("try --radius {} or --kn {}", Num(radius), Num(kn))
             }
-            _ => format!("try --kn {kn:e}"),
+            _ => format!("try --kn {}", Num(kn)),
         }
     }
 
@@ -98,9 +98,9 @@ impl Scenario {
                 "eta_n = 1.5e-3 kg/s ({printed}, 150 times critical damping, which no step of \
                  Eq. (2) can follow: README, trap 1)"
             )),
-            (Preset::GuidePrinted, _) if unchanged => Some(format!(
-                "{printed}, taken as kg/s: 150 times critical damping for a pair"
-            )),
+            (Preset::GuidePrinted, _) if unchanged => {
+                Some(format!("{printed}, taken as kg/s: 150 times critical damping for a pair"))
+            }
             (Preset::GuideMassScaled, DampingChoice::Gamma(gamma)) if unchanged => {
                 let e = |reduced_mass: f64| {
                     let eta = gamma * reduced_mass;
@@ -120,11 +120,7 @@ impl Scenario {
 
     fn note_on_overdamping(&self) -> Option<String> {
         let (lightest, _) = self.mass_range();
-        let reduced_mass = if self.n() > 1 {
-            0.5 * lightest
-        } else {
-            lightest
-        };
+        let reduced_mass = if self.n() > 1 { 0.5 * lightest } else { lightest };
         let eta = self.law().damping.coefficient(self.stiffness, reduced_mass);
         let zeta = damping_ratio(eta, self.stiffness, reduced_mass);
         (zeta >= 1.0 && self.tension).then(|| {
@@ -136,25 +132,33 @@ impl Scenario {
     }
 
     fn note_on_step(&self) -> Option<String> {
-        if self.integrator == IntegratorName::ExplicitEuler && self.refusal().is_none() {
+        let limit = self.limit();
+        let (dt, fraction) = (self.dt(), self.dt() / limit.dt);
+        let step = format!("dt = {dt:.3e} s is {fraction:.2} of the largest stable step");
+        if fraction > 1.0 {
+            return Some(format!("unstable on purpose: {step} for {}", limit.by));
+        }
+        if fraction <= COARSE || self.integrator == IntegratorName::ExplicitEuler {
             return None;
         }
-        let limit = self.limit();
-        let fraction = self.dt() / limit.dt;
-        if fraction > 1.0 {
-            return Some(format!(
-                "unstable on purpose: dt = {:.3e} s is {fraction:.3} times the largest stable step \
-                 for {}",
-                self.dt(),
+        Some(match limit.is_overdamped {
+            true => format!("coarse: {step} for {}; overdamped contacts bear that", limit.by),
+            false => format!(
+                "coarse: {step} for {}; a crowded box heats up at such steps. --dt auto is finer",
                 limit.by
-            ));
-        }
-        (fraction > COARSE).then(|| {
+            ),
+        })
+    }
+
+    fn note_on_length(&self) -> Option<String> {
+        let particle_steps = self.n() as f64 * self.steps() as f64;
+        let minutes = particle_steps / USUAL_SPEED / 60.0;
+        (minutes > 5.0).then(|| {
             format!(
-                "coarse: dt = {:.3e} s is {fraction:.2} of the largest stable step for {}; a \
-                 crowded box will heat up. --dt auto is finer",
-                self.dt(),
-                limit.by
+                "a long run: {:.0e} particle-steps, some {} minutes at {:.0e} a second",
+                particle_steps,
+                round_up(minutes),
+                USUAL_SPEED
             )
         })
     }
@@ -181,14 +185,10 @@ impl Scenario {
             return None;
         }
         let overlaps = self.overlaps(discs);
-        let deepest = overlaps
-            .iter()
-            .max_by(|a, b| a.relative.total_cmp(&b.relative))?;
+        let deepest = overlaps.iter().max_by(|a, b| a.relative.total_cmp(&b.relative))?;
         // Touching discs that rounding made overlap by a hair are nothing to tell.
         (deepest.relative > 1e-6).then(|| {
-            let other = deepest
-                .other
-                .map_or("a wall".to_owned(), |other| format!("disc {other}"));
+            let other = deepest.other.map_or("a wall".to_owned(), |other| format!("disc {other}"));
             format!(
                 "{} overlaps at the start; the deepest, disc {} and {other}, is {:.3} r",
                 overlaps.len(),

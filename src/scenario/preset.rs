@@ -43,12 +43,8 @@ pub struct PresetValues {
 
 impl Preset {
     /// All presets, in the order in which they are listed.
-    pub const ALL: [Self; 4] = [
-        Self::Guide,
-        Self::GuideListing,
-        Self::GuidePrinted,
-        Self::GuideMassScaled,
-    ];
+    pub const ALL: [Self; 4] =
+        [Self::Guide, Self::GuideListing, Self::GuidePrinted, Self::GuideMassScaled];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -74,10 +70,7 @@ impl Preset {
         };
         match self {
             Self::Guide => guide,
-            Self::GuideListing => PresetValues {
-                radius: 5e-4,
-                ..guide
-            },
+            Self::GuideListing => PresetValues { radius: 5e-4, ..guide },
             // Stable in a heap from N_t = 2033 on; just below the limit these contacts, which never
             // let go, do not heat up (1 s of 300 discs ends at rest to 1e-10 m/s).
             Self::GuidePrinted => PresetValues {
@@ -85,10 +78,7 @@ impl Preset {
                 step: StepChoice::Nt(2100.0),
                 ..guide
             },
-            Self::GuideMassScaled => PresetValues {
-                damping: DampingChoice::Gamma(1.5e3),
-                ..guide
-            },
+            Self::GuideMassScaled => PresetValues { damping: DampingChoice::Gamma(1.5e3), ..guide },
         }
     }
 }

@@ -8,17 +8,12 @@ impl Scenario {
     /// The whole scenario as a file that reproduces the run, with units in comments.
     pub fn to_toml(&self) -> String {
         let mut text = String::new();
-        self.write_toml(&mut text)
-            .expect("writing to a string does not fail");
+        self.write_toml(&mut text).expect("writing to a string does not fail");
         text
     }
 
     fn write_toml(&self, out: &mut String) -> fmt::Result {
-        writeln!(
-            out,
-            "# parsim2d {}: every choice of this run",
-            env!("CARGO_PKG_VERSION")
-        )?;
+        writeln!(out, "# parsim2d {}: every choice of this run", env!("CARGO_PKG_VERSION"))?;
         writeln!(out, "preset = \"{}\"", self.preset.name())?;
         if let DiscSource::Equal(n) = self.discs {
             writeln!(out, "n = {n}")?;
@@ -33,7 +28,7 @@ impl Scenario {
 
     fn write_physics(&self, out: &mut String) -> fmt::Result {
         writeln!(out, "\nside = {:?} # m", self.side)?;
-        if !matches!(self.discs, DiscSource::Frame(..)) {
+        if !matches!(self.discs, DiscSource::Frame { .. }) {
             writeln!(out, "radius = {:?} # m", self.radius)?;
         }
         writeln!(out, "mass = {:?} # kg", self.mass)?;
@@ -65,24 +60,22 @@ impl Scenario {
 
     fn write_start(&self, out: &mut String) -> fmt::Result {
         writeln!(out)?;
-        if let DiscSource::Frame(said, discs) = &self.discs {
-            writeln!(out, "start = {}", quoted(said))?;
-            if discs.iter().any(|disc| disc.velocity != glam::DVec2::ZERO) {
-                return Ok(());
+        match &self.discs {
+            DiscSource::Frame { said, has_velocities, .. } => {
+                writeln!(out, "start = {}", quoted(said))?;
+                if *has_velocities {
+                    return Ok(());
+                }
             }
-        } else {
-            writeln!(out, "placement = \"{}\"", self.placement.name())?;
+            DiscSource::Listed(_, groups) if groups.is_empty() => return Ok(()),
+            _ => writeln!(out, "placement = \"{}\"", self.placement.name())?,
         }
         writeln!(out, "speed = {:?} # m/s", self.speed)
     }
 
     fn write_output(&self, out: &mut String) -> fmt::Result {
         let output = &self.output;
-        writeln!(
-            out,
-            "\nout_dir = {}",
-            quoted(&output.folder.to_string_lossy())
-        )?;
+        writeln!(out, "\nout_dir = {}", quoted(&output.folder.to_string_lossy()))?;
         if let Some(every) = output.every {
             writeln!(out, "every = {every} # steps")?;
         }

@@ -27,7 +27,7 @@ macro_rules! dimensions {
 
 dimensions! {
     /// A length.
-    Length: "m" = 1.0, "cm" = 1e-2, "mm" = 1e-3, "um" = 1e-6;
+    Length: "m" = 1.0, "cm" = 1e-2, "mm" = 1e-3, "um" = 1e-6, "µm" = 1e-6, "nm" = 1e-9;
     /// A mass.
     Mass: "kg" = 1.0, "g" = 1e-3, "mg" = 1e-6;
     /// A time.
@@ -35,15 +35,45 @@ dimensions! {
     /// A speed.
     Speed: "m/s" = 1.0, "cm/s" = 1e-2, "mm/s" = 1e-3;
     /// An acceleration.
-    Acceleration: "m/s2" = 1.0, "m/s^2" = 1.0;
+    Acceleration: "m/s2" = 1.0, "m/s^2" = 1.0, "cm/s2" = 1e-2;
     /// A stiffness.
     Stiffness: "N/m" = 1.0, "kN/m" = 1e3;
     /// A damping coefficient.
     Coefficient: "kg/s" = 1.0, "g/s" = 1e-3;
     /// A rate.
-    Rate: "1/s" = 1.0;
+    Rate: "1/s" = 1.0, "/s" = 1.0, "Hz" = 1.0;
     /// A plain number.
     Number: "" = 1.0;
+}
+
+/// Two quantities: the x and y of a vector.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(try_from = "Vec<Quantity<D>>", bound = "D: Dimension")]
+pub struct Pair<D> {
+    /// x and y in SI units.
+    pub si: [f64; 2],
+    dimension: PhantomData<D>,
+}
+
+impl<D> TryFrom<Vec<Quantity<D>>> for Pair<D> {
+    type Error = String;
+
+    fn try_from(values: Vec<Quantity<D>>) -> Result<Self, String> {
+        match values.as_slice() {
+            [x, y] => Ok(Self { si: [x.si, y.si], dimension: PhantomData }),
+            _ => Err(format!("expected [x, y], found {} numbers", values.len())),
+        }
+    }
+}
+
+/// A whole number, on the command line also in the form 1e3.
+pub fn whole_number(text: &str) -> Result<i64, String> {
+    let whole =
+        |number: f64| (number.fract() == 0.0 && number.abs() < 9e15).then_some(number as i64);
+    let number = text.trim().parse().ok();
+    number
+        .or_else(|| whole(text.trim().parse().ok()?))
+        .ok_or_else(|| "not a whole number (or too large)".to_owned())
 }
 
 /// A number of dimension `D`, held in SI units.
@@ -52,6 +82,8 @@ dimensions! {
 /// use parsim2d::scenario::quantity::{Length, Quantity};
 /// let side: Quantity<Length> = "4cm".parse().unwrap();
 /// assert_eq!(side.si, 0.04); // m
+/// let rate: Quantity<parsim2d::scenario::quantity::Rate> = "21/s".parse().unwrap();
+/// assert_eq!(rate.si, 21.0); // 1/s
 /// assert!("4 parsecs".parse::<Quantity<Length>>().is_err());
 /// ```
 #[derive(Debug, PartialEq)]
@@ -71,10 +103,7 @@ impl<D> Copy for Quantity<D> {}
 
 impl<D> From<f64> for Quantity<D> {
     fn from(si: f64) -> Self {
-        Self {
-            si,
-            dimension: PhantomData,
-        }
+        Self { si, dimension: PhantomData }
     }
 }
 
@@ -83,26 +112,29 @@ impl<D: Dimension> FromStr for Quantity<D> {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let text = text.trim();
-        // The longest suffix that leaves a number: "5mm" is not 5m of m, "inf" and "1e3" stay whole.
+        // A suffix fits if it leaves a number: "5mm" is not 5m of m, "inf" and "1e3" stay whole.
         let mut readings = D::SUFFIXES.iter().filter_map(|&(suffix, size)| {
-            let number: f64 = text.strip_suffix(suffix)?.trim_end().parse().ok()?;
-            Some(if size < 1.0 {
-                number / (1.0 / size).round()
-            } else {
-                number * size
-            })
+            let number = text.strip_suffix(suffix)?;
+            // "21/s" is 21 of /s, not 2 of 1/s.
+            let runs_on = suffix.starts_with(|c: char| c.is_ascii_digit());
+            if runs_on && !number.ends_with(char::is_whitespace) {
+                return None;
+            }
+            let number: f64 = number.trim_end().parse().ok()?;
+            // 4cm is 4/100 m, the nearest number to 0.04; 4 * 0.01 may not be.
+            Some(if size < 1.0 { number / (1.0 / size).round() } else { number * size })
         });
         if let Some(si) = text.parse().ok().or_else(|| readings.next()) {
             return Ok(Self::from(si));
+        }
+        if text.contains(',') {
+            return Err("not a number: write a dot, not a comma".to_owned());
         }
         let suffixes: Vec<&str> = D::SUFFIXES.iter().map(|&(suffix, _)| suffix).collect();
         Err(match suffixes.as_slice() {
             [""] => "not a number".to_owned(),
             [only] => format!("not a number (in {only})"),
-            [si, ..] => format!(
-                "not a number (in {si}, or with one of: {})",
-                suffixes.join(", ")
-            ),
+            [si, ..] => format!("not a number (in {si}, or with one of: {})", suffixes.join(", ")),
             [] => unreachable!("every dimension has an SI unit"),
         })
     }
@@ -127,8 +159,7 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
                 Ok((si as f64).into())
             }
             fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-                text.parse()
-                    .map_err(|why| E::custom(format!("`{text}` is {why}")))
+                text.parse().map_err(|why| E::custom(format!("`{text}` is {why}")))
             }
         }
         deserializer.deserialize_any(Reader(PhantomData))

@@ -2,16 +2,11 @@
 
 use super::error::ScenarioError;
 use super::exclusive;
+use super::number::Num;
 use super::quantity::Quantity;
-use super::range::{finite, not_negative, positive, radius_in, whole};
-use super::settings::{DiscSettings, DtSetting, PopulationSettings, Settings};
-use super::start;
-use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Population, Scenario, StepChoice};
-use crate::particle::Particle;
-use glam::DVec2;
-
-/// More discs than this do not fit the memory of a machine of today (250 bytes each).
-const MOST_DISCS: i64 = 100_000_000;
+use super::range::{finite, not_negative, positive, whole};
+use super::settings::{DtSetting, Settings};
+use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Scenario, StepChoice};
 
 impl Scenario {
     /// Fills in what `settings` leave open from the preset and checks everything that can be
@@ -35,7 +30,7 @@ impl Scenario {
             preset,
             seed: seed(settings.seed, draw_seed)?,
             side,
-            radius: radius_in(side, "radius", radius, settings.walls())?,
+            radius,
             mass: positive("mass", mass, "--mass 1g")?,
             gravity: finite("gravity", gravity)?,
             stiffness: positive("kn", stiffness, "--kn 5e4")?,
@@ -52,115 +47,51 @@ impl Scenario {
             discs: DiscSource::Equal(usual.n),
             output: output_choices(settings)?,
         };
-        scenario.discs = scenario.disc_source(settings, usual.n)?;
+        scenario.take_discs(settings, usual.n)?;
         scenario.check_step()?;
         Ok(scenario)
     }
 
-    fn disc_source(&self, settings: &Settings, usual: usize) -> Result<DiscSource, ScenarioError> {
-        if let Some(said) = &settings.start {
-            return Ok(DiscSource::Frame(
-                said.clone(),
-                start::read(said, self, settings)?,
-            ));
-        }
-        let (discs, groups) = (&settings.discs, &settings.populations);
-        if discs.is_empty() && groups.is_empty() {
-            let n = settings.n.unwrap_or(usual as i64);
-            return Ok(DiscSource::Equal(
-                whole("n", n, 1..=MOST_DISCS, "-n 20")? as usize
-            ));
-        }
-        let listed = discs
-            .iter()
-            .enumerate()
-            .map(|(k, disc)| self.listed_disc(k, disc));
-        let groups = groups
-            .iter()
-            .enumerate()
-            .map(|(k, group)| self.population(k, group));
-        Ok(DiscSource::Listed(
-            listed.collect::<Result<_, _>>()?,
-            groups.collect::<Result<_, _>>()?,
-        ))
-    }
-
-    fn listed_disc(&self, k: usize, said: &DiscSettings) -> Result<Particle, ScenarioError> {
-        let field = |name: &str| format!("[[disc]] {}: {name}", k + 1);
-        let radius = si(said.radius, self.radius);
-        let radius = radius_in(self.side, &field("radius"), radius, self.walls)?;
-        let mass = positive(&field("mass"), si(said.mass, self.mass), "mass = 1e-3")?;
-        let [x, y] = said.position.map(|q| q.si);
-        let position = DVec2::new(
-            finite(&field("position[0]"), x)?,
-            finite(&field("position[1]"), y)?,
-        );
-        let mut disc = Particle::at_rest(position, radius, mass);
-        if let Some([vx, vy]) = said.velocity.map(|velocity| velocity.map(|q| q.si)) {
-            disc.velocity = DVec2::new(
-                finite(&field("velocity[0]"), vx)?,
-                finite(&field("velocity[1]"), vy)?,
-            );
-        }
-        Ok(disc)
-    }
-
-    fn population(&self, k: usize, said: &PopulationSettings) -> Result<Population, ScenarioError> {
-        let field = |name: &str| format!("[[population]] {}: {name}", k + 1);
-        let radius = si(said.radius, self.radius);
-        let mass = si(said.mass, self.mass);
-        let speed = si(said.speed, self.speed);
-        Ok(Population {
-            n: whole(&field("n"), said.n, 1..=MOST_DISCS, "n = 20")? as usize,
-            radius: radius_in(self.side, &field("radius"), radius, true)?,
-            mass: positive(&field("mass"), mass, "mass = 1e-3")?,
-            speed: not_negative(&field("speed"), speed, "speed = 0.1")?,
-        })
-    }
-
-    /// The time step must be stable, and the run have a number of steps that can be counted: at
-    /// least one, unless no time at all was asked for.
+    /// The time step must be stable, unless asked otherwise.
     fn check_step(&self) -> Result<(), ScenarioError> {
         if let (false, Some(refusal)) = (self.allow_unstable, self.refusal()) {
             return Err(ScenarioError::Unstable(refusal));
         }
+        self.check_clock()
+    }
+
+    /// The run must have a number of steps that can be counted: at least one, unless no time at
+    /// all was asked for.
+    pub(super) fn check_clock(&self) -> Result<(), ScenarioError> {
         let (dt, time) = (self.dt(), self.time);
         if time / dt >= 1e15 {
             let allowed = format!("at most 1e15 steps of dt = {dt:e} s");
             return Err(ScenarioError::out_of_range(
                 "time",
-                time,
+                Num(time),
                 allowed,
                 "a shorter --time",
             ));
         }
         if time > 0.0 && self.steps() == 0 {
             let allowed = format!("at least one step of dt = {dt:e} s");
-            return Err(ScenarioError::out_of_range(
-                "time",
-                time,
-                allowed,
-                "a longer --time",
-            ));
+            return Err(ScenarioError::out_of_range("time", Num(time), allowed, "a longer --time"));
         }
         Ok(())
     }
 }
 
 /// The value said, or `otherwise`, in SI units.
-fn si<D>(said: Option<Quantity<D>>, otherwise: f64) -> f64 {
+pub(super) fn si<D>(said: Option<Quantity<D>>, otherwise: f64) -> f64 {
     said.map_or(otherwise, |quantity| quantity.si)
 }
 
 fn seed(said: Option<i64>, draw_seed: impl FnOnce() -> u64) -> Result<u64, ScenarioError> {
-    said.map_or_else(
-        || Ok(draw_seed()),
-        |seed| whole("seed", seed, 0..=i64::MAX, "--seed 1"),
-    )
+    said.map_or_else(|| Ok(draw_seed()), |seed| whole("seed", seed, 0..=i64::MAX, "--seed 1"))
 }
 
 impl Settings {
-    fn walls(&self) -> bool {
+    pub(super) fn walls(&self) -> bool {
         self.walls.unwrap_or(!self.no_walls.unwrap_or(false))
     }
 }
@@ -170,25 +101,17 @@ fn damping_choice(
     usual: DampingChoice,
 ) -> Result<DampingChoice, ScenarioError> {
     if let Some(eta) = settings.eta {
-        return Ok(DampingChoice::Eta(not_negative(
-            "eta",
-            eta.si,
-            "--eta 1.5e-3",
-        )?));
+        return Ok(DampingChoice::Eta(not_negative("eta", eta.si, "--eta 1.5e-3")?));
     }
     if let Some(gamma) = settings.gamma {
-        return Ok(DampingChoice::Gamma(not_negative(
-            "gamma",
-            gamma.si,
-            "--gamma 1.5e3",
-        )?));
+        return Ok(DampingChoice::Gamma(not_negative("gamma", gamma.si, "--gamma 1.5e3")?));
     }
     match settings.restitution.map(|e| e.si) {
         None => Ok(usual),
         Some(e) if e > 0.0 && e <= 1.0 => Ok(DampingChoice::Restitution(e)),
         Some(e) => Err(ScenarioError::out_of_range(
             "restitution",
-            e,
+            Num(e),
             "must be above 0 and at most 1",
             "--restitution 0.9 (1 is elastic; for more damping than any e gives, --eta)",
         )),
@@ -203,27 +126,23 @@ fn step_choice(
         (Some(nt), _) if nt >= 1.0 && nt.is_finite() => Ok((StepChoice::Nt(nt), DtSetBy::Nt)),
         (Some(nt), _) => Err(ScenarioError::out_of_range(
             "nt",
-            nt,
+            Num(nt),
             "must be at least 1 step in a contact; the guide says 10 to 50",
             "--nt 50",
         )),
         (None, Some(DtSetting::Auto)) => Ok((StepChoice::Auto, DtSetBy::Auto)),
-        (None, Some(DtSetting::Seconds(dt))) => Ok((
-            StepChoice::Seconds(positive("dt", dt, "--dt auto")?),
-            DtSetBy::Dt,
-        )),
+        (None, Some(DtSetting::Seconds(dt))) => {
+            Ok((StepChoice::Seconds(positive("dt", dt, "--dt auto")?), DtSetBy::Dt))
+        }
         (None, None) => Ok((usual, DtSetBy::Preset)),
     }
 }
 
 fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
     let steps = |field, said: Option<i64>, least| {
-        said.map(|k| whole(field, k, least..=i64::MAX, "leave it out for the default"))
-            .transpose()
+        said.map(|k| whole(field, k, least..=i64::MAX, "leave it out for the default")).transpose()
     };
-    let slowdown = settings
-        .slowdown
-        .map(|x| positive("slowdown", x.si, "--slowdown 10"));
+    let slowdown = settings.slowdown.map(|x| positive("slowdown", x.si, "--slowdown 10"));
     Ok(OutputChoices {
         folder: settings.out_dir.clone().unwrap_or_else(|| ".".into()),
         every: steps("every", settings.every, 1)?,

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::preset::Preset;
 use super::quantity::{
-    Acceleration, Coefficient, Length, Mass, Number, Quantity, Rate, Speed, Stiffness, Time,
+    Acceleration, Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time,
+    whole_number,
 };
 
 /// Declares the settings once; merges them field by field.
@@ -48,40 +49,44 @@ macro_rules! settings {
 
 settings! {
     /// Number of discs, n [default: 20]
-    #[arg(short = 'n', long = "n", value_name = "N", allow_negative_numbers = true)]
+    #[arg(short = 'n', long = "n", value_name = "N", allow_hyphen_values = true)]
+    #[arg(value_parser = whole_number)]
     n: i64,
     /// Seed of the random numbers [default: drawn, and printed]
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    #[arg(value_parser = whole_number)]
     seed: i64,
     /// Set of parameters to start from [default: guide]
     #[arg(long, value_enum, value_name = "P")]
     preset: Preset,
 
     /// Side of the box, l [default: 0.04]
-    #[arg(long, value_name = "M", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Physics")]
     side: Quantity<Length>,
     /// Radius of a disc, r [default: 1e-4]
-    #[arg(long, value_name = "M", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Physics")]
     radius: Quantity<Length>,
     /// Mass of a disc, m [default: 1e-3]
-    #[arg(long, value_name = "KG", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, help_heading = "Physics")]
     mass: Quantity<Mass>,
     /// Gravity g, downward [default: 9.81]
-    #[arg(long, value_name = "M/S2", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "M/S2", allow_hyphen_values = true, help_heading = "Physics")]
     gravity: Quantity<Acceleration>,
     /// Normal stiffness, k_n [default: 5e4]
-    #[arg(long, value_name = "N/M", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "N/M", allow_hyphen_values = true, help_heading = "Physics")]
+    #[arg(aliases = ["k_n", "k-n"])]
     kn: Quantity<Stiffness>,
     /// Normal damping, eta_n [default: 1.5e-3]
-    #[arg(long, value_name = "KG/S", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "KG/S", allow_hyphen_values = true, help_heading = "Physics")]
     #[arg(conflicts_with_all = ["gamma", "restitution"])]
+    #[arg(aliases = ["eta_n", "eta-n"])]
     eta: Quantity<Coefficient>,
     /// Damping as a rate: eta_n = m_eff gamma
-    #[arg(long, value_name = "1/S", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "1/S", allow_hyphen_values = true, help_heading = "Physics")]
     #[arg(conflicts_with = "restitution")]
     gamma: Quantity<Rate>,
     /// Damping from the restitution e of every contact, 0 < e <= 1
-    #[arg(long, value_name = "E", allow_negative_numbers = true, help_heading = "Physics")]
+    #[arg(long, value_name = "E", allow_hyphen_values = true, help_heading = "Physics")]
     restitution: Quantity<Number>,
     /// Clip the contact force at zero: contacts never pull
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
@@ -98,14 +103,15 @@ settings! {
     walls: bool,
 
     /// Steps in a wall contact, N_t of Eq. (2) [default: 50]
-    #[arg(long, value_name = "N_T", allow_negative_numbers = true, help_heading = "Time")]
+    #[arg(long, value_name = "N_T", allow_hyphen_values = true, help_heading = "Time")]
     #[arg(conflicts_with = "dt")]
+    #[arg(aliases = ["N_t", "n_t", "Nt"])]
     nt: Quantity<Number>,
     /// Time step itself, or `auto`: 0.08 of the stable limit
-    #[arg(long, value_name = "SECONDS|auto", allow_negative_numbers = true, help_heading = "Time")]
+    #[arg(long, value_name = "SECONDS|auto", allow_hyphen_values = true, help_heading = "Time")]
     dt: DtSetting,
     /// Simulated time [default: 1]
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, help_heading = "Time")]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Time")]
     time: Quantity<Time>,
     /// Time integrator [default: symplectic-euler]
     #[arg(long, value_enum, value_name = "NAME", help_heading = "Time")]
@@ -118,8 +124,8 @@ settings! {
     /// How discs are placed [default: random]
     #[arg(long, value_enum, value_name = "NAME", help_heading = "Start")]
     placement: PlacementName,
-    /// Rms speed at the start, in random directions [default: 0]
-    #[arg(long, value_name = "M/S", allow_negative_numbers = true, help_heading = "Start")]
+    /// Rms speed at the start of discs placed by the program, in random directions [default: 0]
+    #[arg(long, value_name = "M/S", allow_hyphen_values = true, help_heading = "Start")]
     speed: Quantity<Speed>,
     /// Start from a frame file, at its last frame or at frame K (from 0)
     #[arg(long, value_name = "FILE[:K]", help_heading = "Start")]
@@ -129,13 +135,15 @@ settings! {
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     out_dir: PathBuf,
     /// Steps between frames [default: about 200 frames in a run]
-    #[arg(long, value_name = "STEPS", allow_negative_numbers = true, help_heading = "Output")]
+    #[arg(long, value_name = "STEPS", allow_hyphen_values = true, help_heading = "Output")]
+    #[arg(value_parser = whole_number)]
     every: i64,
     /// Steps between lines of energy.csv, 0 for none [default: about 2000 lines in a run]
-    #[arg(long, value_name = "STEPS", allow_negative_numbers = true, help_heading = "Output")]
+    #[arg(long, value_name = "STEPS", allow_hyphen_values = true, help_heading = "Output")]
+    #[arg(value_parser = whole_number)]
     energy_every: i64,
     /// Seconds of wall time for a simulated second, to watch the run [default: full speed]
-    #[arg(long, value_name = "X", allow_negative_numbers = true, help_heading = "Output")]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, help_heading = "Output")]
     slowdown: Quantity<Number>,
     /// Add the guide's fictitious border discs to out.txt
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
@@ -172,9 +180,9 @@ impl Settings {
 #[serde(deny_unknown_fields)]
 pub struct DiscSettings {
     /// Centre.
-    pub position: [Quantity<Length>; 2],
+    pub position: Pair<Length>,
     /// Velocity.
-    pub velocity: Option<[Quantity<Speed>; 2]>,
+    pub velocity: Option<Pair<Speed>>,
     /// Radius.
     pub radius: Option<Quantity<Length>>,
     /// Mass.
@@ -219,10 +227,7 @@ impl std::str::FromStr for DtSetting {
 impl<'de> Deserialize<'de> for DtSetting {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
-        #[serde(
-            untagged,
-            expecting = "a number of seconds, a string with a unit, or \"auto\""
-        )]
+        #[serde(untagged, expecting = "a number of seconds, a string with a unit, or \"auto\"")]
         enum Said {
             Whole(i64),
             Number(f64),
@@ -231,9 +236,9 @@ impl<'de> Deserialize<'de> for DtSetting {
         match Said::deserialize(deserializer)? {
             Said::Whole(seconds) => Ok(Self::Seconds(seconds as f64)),
             Said::Number(seconds) => Ok(Self::Seconds(seconds)),
-            Said::Text(text) => text
-                .parse()
-                .map_err(|why| serde::de::Error::custom(format!("`{text}` is {why}"))),
+            Said::Text(text) => {
+                text.parse().map_err(|why| serde::de::Error::custom(format!("`{text}` is {why}")))
+            }
         }
     }
 }

@@ -1,0 +1,76 @@
+//! Which discs a run has, as said: so many equal ones, listed ones and groups, or a frame.
+
+use glam::DVec2;
+
+use super::error::ScenarioError;
+use super::range::{finite, not_negative, positive, radius_in, whole};
+use super::resolve::si;
+use super::settings::{DiscSettings, PopulationSettings, Settings};
+use super::start;
+use super::{DiscSource, Population, Scenario};
+use crate::particle::Particle;
+
+/// More discs than this do not fit the memory of a machine of today (250 bytes each).
+const MOST_DISCS: i64 = 100_000_000;
+
+impl Scenario {
+    /// Takes over the discs that `settings` say, or `usual` many equal ones. A frame may bring
+    /// the side of its box along.
+    pub(super) fn take_discs(
+        &mut self,
+        settings: &Settings,
+        usual: usize,
+    ) -> Result<(), ScenarioError> {
+        let (discs, groups) = (&settings.discs, &settings.populations);
+        self.discs = if let Some(said) = &settings.start {
+            let (frame, side) = start::read(said, self, settings)?;
+            if let (None, Some(side)) = (settings.side, side) {
+                self.side = positive("side_m of the frame", side, "--side 4cm")?;
+            }
+            frame
+        } else if discs.is_empty() && groups.is_empty() {
+            let n = whole("n", settings.n.unwrap_or(usual as i64), 1..=MOST_DISCS, "-n 20")?;
+            radius_in(self.side, "radius", self.radius, self.walls)?;
+            DiscSource::Equal(n as usize)
+        } else {
+            let listed = discs.iter().enumerate().map(|(k, disc)| self.listed_disc(k, disc));
+            let groups = groups.iter().enumerate().map(|(k, group)| self.population(k, group));
+            let (listed, groups) =
+                (listed.collect::<Result<_, _>>()?, groups.collect::<Result<_, _>>()?);
+            DiscSource::Listed(listed, groups)
+        };
+        whole("the number of discs", self.n() as i64, 1..=MOST_DISCS, "fewer discs")?;
+        Ok(())
+    }
+
+    /// Ids count from 0 in file order.
+    fn listed_disc(&self, id: usize, said: &DiscSettings) -> Result<Particle, ScenarioError> {
+        let field = |name: &str| format!("disc {id}: {name}");
+        let radius = si(said.radius, self.radius);
+        let radius = radius_in(self.side, &field("radius"), radius, self.walls)?;
+        let mass = positive(&field("mass"), si(said.mass, self.mass), "mass = 1e-3")?;
+        let vector = |name: &str, [x, y]: [f64; 2]| {
+            let component = |axis, value| finite(&field(&format!("{name} {axis}")), value);
+            Ok(DVec2::new(component("x", x)?, component("y", y)?))
+        };
+        let position = vector("position", said.position.si)?;
+        let mut disc = Particle::at_rest(position, radius, mass);
+        if let Some(velocity) = &said.velocity {
+            disc.velocity = vector("velocity", velocity.si)?;
+        }
+        Ok(disc)
+    }
+
+    fn population(&self, k: usize, said: &PopulationSettings) -> Result<Population, ScenarioError> {
+        let field = |name: &str| format!("population {k}: {name}");
+        let radius = si(said.radius, self.radius);
+        let mass = si(said.mass, self.mass);
+        let speed = si(said.speed, self.speed);
+        Ok(Population {
+            n: whole(&field("n"), said.n, 1..=MOST_DISCS, "n = 20")? as usize,
+            radius: radius_in(self.side, &field("radius"), radius, true)?,
+            mass: positive(&field("mass"), mass, "mass = 1e-3")?,
+            speed: not_negative(&field("speed"), speed, "speed = 0.1")?,
+        })
+    }
+}

@@ -1,0 +1,24 @@
+//! Numbers in messages.
+
+use std::fmt;
+
+/// A number as a person writes it: plain in the middle of the range, with an exponent outside.
+pub(super) struct Num(pub f64);
+
+impl Num {
+    /// `value` to three digits.
+    pub fn rounded(value: f64) -> Self {
+        Self(format!("{value:.2e}").parse().unwrap_or(value))
+    }
+}
+
+impl fmt::Display for Num {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = self;
+        if *value == 0.0 || !value.is_finite() || (1e-3..1e4).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}

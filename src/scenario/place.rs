@@ -1,0 +1,195 @@
+//! The discs at t = 0: placed, checked for overlaps, and told what would fit if they do not.
+
+use glam::DVec2;
+use rand_pcg::Pcg64;
+
+use super::error::ScenarioError;
+use super::number::Num;
+use super::settings::PlacementName;
+use super::{DiscSource, Population, Scenario};
+use crate::force::HalfPlane;
+use crate::neighbours::Neighbours;
+use crate::particle::{Contact, Particle};
+use crate::placement::{self, PlacementError};
+
+impl Scenario {
+    /// The discs at t = 0, placed and checked.
+    pub(super) fn place(&self) -> Result<Vec<Particle>, ScenarioError> {
+        let mut generator = placement::generator(self.seed);
+        let (fixed, groups) = self.fixed_and_groups();
+        self.check_overlaps(&fixed)?;
+        let fixed = fixed.len();
+        let (mut particles, failed) = match self.placed(&mut generator) {
+            Ok(particles) => (particles, None),
+            Err((why, particles)) => (particles, Some(why)),
+        };
+        if let Some(why) = failed {
+            return Err(self.box_too_full(why, &particles));
+        }
+        let speeds = groups.iter().flat_map(|group| std::iter::repeat_n(group.speed, group.n));
+        for (disc, speed) in particles[fixed..].iter_mut().zip(speeds) {
+            if speed > 0.0 {
+                disc.velocity = speed * placement::direction(&mut generator);
+            }
+        }
+        self.set_speed_of_frame(&mut particles[..fixed], &mut generator);
+        Ok(particles)
+    }
+
+    /// Discs whose places are said, and groups that the program places.
+    fn fixed_and_groups(&self) -> (Vec<Particle>, Vec<Population>) {
+        let equal = |n| Population { n, radius: self.radius, mass: self.mass, speed: self.speed };
+        match &self.discs {
+            DiscSource::Equal(n) => (Vec::new(), vec![equal(*n)]),
+            DiscSource::Listed(listed, groups) => (listed.clone(), groups.clone()),
+            DiscSource::Frame { discs, .. } => (discs.clone(), Vec::new()),
+        }
+    }
+
+    /// All discs in their places, or why not, with the discs as far as they came.
+    fn placed(
+        &self,
+        generator: &mut Pcg64,
+    ) -> Result<Vec<Particle>, (PlacementError, Vec<Particle>)> {
+        let (mut particles, groups) = self.fixed_and_groups();
+        let fixed = particles.len();
+        for group in &groups {
+            let disc = Particle::at_rest(DVec2::ZERO, group.radius, group.mass);
+            particles.extend(std::iter::repeat_n(disc, group.n));
+        }
+        let placed = match self.placement {
+            _ if particles.len() == fixed => Ok(()),
+            PlacementName::Lattice if fixed == 0 => {
+                placement::lattice(&mut particles, self.side, generator)
+            }
+            _ => placement::at_random(&mut particles, fixed, self.side, generator),
+        };
+        match placed {
+            Ok(()) => Ok(particles),
+            Err(why) => Err((why, particles)),
+        }
+    }
+
+    /// `--speed` beside a `--start` file that has no velocities.
+    fn set_speed_of_frame(&self, discs: &mut [Particle], generator: &mut Pcg64) {
+        if matches!(self.discs, DiscSource::Frame { .. }) && self.speed > 0.0 {
+            for disc in discs {
+                disc.velocity = self.speed * placement::direction(generator);
+            }
+        }
+    }
+
+    /// Refuses coincident centres and overlaps of more than one radius: the contact force would
+    /// throw such discs apart. Smaller overlaps are told in the notes.
+    fn check_overlaps(&self, discs: &[Particle]) -> Result<(), ScenarioError> {
+        for Overlap { disc, other, relative, centres_coincide } in self.overlaps(discs) {
+            let what = match other {
+                Some(other) if centres_coincide => {
+                    format!("discs {disc} and {other} have the same centre")
+                }
+                Some(other) if relative > 1.0 => {
+                    let relative = Num::rounded(relative);
+                    format!("discs {disc} and {other} overlap by {relative} radii (at most 1)")
+                }
+                None if relative >= 1.0 => {
+                    let DVec2 { x, y } = discs[disc].position;
+                    let where_ = if relative > 1.0 { "outside the box" } else { "on a wall" };
+                    format!(
+                        "disc {disc} has its centre {where_} ({x} m, {y} m; side {} m)",
+                        self.side
+                    )
+                }
+                _ => continue,
+            };
+            let way_out = match (&self.discs, other) {
+                (DiscSource::Frame { .. }, _) => {
+                    "an earlier frame, --start FILE:K; harder discs (--preset guide-listing, or a \
+                     larger --kn) do not sink in so far"
+                }
+                (_, Some(_)) => "move the discs apart, or give them a smaller radius",
+                (_, None) => "put it inside, between 0 and the side, or use a larger --side",
+            };
+            return Err(ScenarioError::BadOverlap { what, way_out: way_out.to_owned() });
+        }
+        Ok(())
+    }
+
+    /// All overlaps of `discs` with each other and with the walls.
+    pub(super) fn overlaps(&self, discs: &[Particle]) -> Vec<Overlap> {
+        let mut overlaps = Vec::new();
+        let planes = HalfPlane::square(self.side);
+        let planes = if self.walls { &planes[..] } else { &[] };
+        for (disc, p) in discs.iter().enumerate() {
+            for plane in planes {
+                let distance = plane.distance(p.position);
+                if let Some(contact) = Contact::with_wall(p, distance, plane.normal) {
+                    let relative = contact.overlap / p.radius;
+                    overlaps.push(Overlap { disc, other: None, relative, centres_coincide: false });
+                }
+            }
+        }
+        let mut neighbours = Neighbours::default();
+        neighbours.refresh(discs);
+        for (i, j) in neighbours.pairs() {
+            if let Some(contact) = Contact::between(&discs[i], &discs[j]) {
+                let relative = contact.overlap / discs[i].radius.min(discs[j].radius);
+                let centres_coincide = discs[i].position == discs[j].position;
+                overlaps.push(Overlap { disc: i, other: Some(j), relative, centres_coincide });
+            }
+        }
+        overlaps
+    }
+
+    /// A placement error with ways out, each tried before it is offered.
+    fn box_too_full(&self, source: PlacementError, particles: &[Particle]) -> ScenarioError {
+        let fraction = placement::packing_fraction(particles, self.side);
+        // Comfortably below the random limit; walls cost some room too.
+        let shrink = (0.4 / fraction).min(0.8);
+        let (_, largest) = self.radius_range();
+        let radius = 0.95 * self.radius * shrink.sqrt();
+        let radius = format!("{radius:.1e}").parse().unwrap_or(radius);
+        let side = (1.05 * self.side / shrink.sqrt()).max(2.5 * largest);
+        let side = format!("{side:.1e}").parse().unwrap_or(side);
+        let mut changes = Vec::new();
+        if let DiscSource::Equal(n) = self.discs {
+            let fewer = (n as f64 * shrink) as usize;
+            let lattice = Self { placement: PlacementName::Lattice, ..self.clone() };
+            changes.push(("--placement lattice".to_owned(), lattice));
+            let discs = DiscSource::Equal(fewer.max(1));
+            changes.push((format!("-n {}", fewer.max(1)), Self { discs, ..self.clone() }));
+            changes.push((format!("--radius {}", Num(radius)), Self { radius, ..self.clone() }));
+        }
+        changes.push((format!("--side {}", Num(side)), Self { side, ..self.clone() }));
+        let differs = |changed: &Self| changed != self;
+        changes.retain(|(_, changed)| differs(changed) && changed.finds_room());
+        let ways_out: Vec<String> = changes.into_iter().map(|(way_out, _)| way_out).collect();
+        let way_out = match ways_out.is_empty() {
+            true => "fewer or smaller discs, or a larger --side".to_owned(),
+            false => ways_out.join(", or "),
+        };
+        ScenarioError::BoxTooFull { source, way_out }
+    }
+
+    /// Whether the discs can be placed with this seed and the next few. For very many discs the
+    /// packing fraction alone must do.
+    fn finds_room(&self) -> bool {
+        const MOST_DISCS_TO_TRY: usize = 20_000;
+        if self.n() > MOST_DISCS_TO_TRY && self.placement == PlacementName::Random {
+            return true;
+        }
+        (0..4).all(|more| {
+            let mut generator = placement::generator(self.seed + more);
+            self.placed(&mut generator).is_ok()
+        })
+    }
+}
+
+/// Two bodies that overlap at the start.
+pub(super) struct Overlap {
+    pub disc: usize,
+    /// The other disc; `None` for a wall.
+    pub other: Option<usize>,
+    /// Overlap over the (smaller) radius.
+    pub relative: f64,
+    pub centres_coincide: bool,
+}
