@@ -93,7 +93,10 @@ impl Failure {
     fn unknown_command(word: &str) -> Self {
         let command = Cli::command();
         let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        let advice = did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?"));
+        let advice = match word {
+            "true" | "false" => Some(format!("; a switch takes it with `=`: --border={word}")),
+            _ => did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?")),
+        };
         Self::UnknownCommand {
             word: word.to_owned(),
             known: known.join(", "),

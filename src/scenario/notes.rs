@@ -27,17 +27,10 @@ fn one_digit_up(value: f64) -> f64 {
 impl Scenario {
     /// What a person should know before this run starts with `discs`, a sentence each.
     pub fn notes(&self, discs: &[Particle]) -> Vec<String> {
-        let overlap = self.expected_overlap();
-        let soft = (overlap > SOFT).then(|| {
-            format!(
-                "soft discs: a fall through the box sinks them {overlap:.2} r deep; {}",
-                self.cure_for_softness(overlap)
-            )
-        });
         [
             self.note_on_damping(),
             self.note_on_overdamping(),
-            soft,
+            self.note_on_softness(),
             self.note_on_step(),
             self.note_on_length(),
             self.note_on_explicit_euler(),
@@ -49,11 +42,31 @@ impl Scenario {
         .collect()
     }
 
+    fn note_on_softness(&self) -> Option<String> {
+        let overlap = self.expected_overlap();
+        let cause = match self.fall_energy() > 0.0 {
+            true => "a fall through the box".to_owned(),
+            false => format!("a wall met at {} m/s", Num::rounded(self.expected_speed())),
+        };
+        (overlap > SOFT).then(|| {
+            let cure = self.cure_for_softness(overlap);
+            format!("soft discs: {cause} sinks them {overlap:.2} r deep; {cure}")
+        })
+    }
+
+    /// Twice the energy that a fall through the box gives a disc, over its mass, m²/s².
+    fn fall_energy(&self) -> f64 {
+        if self.walls { 2.0 * self.gravity.abs() * self.side } else { 0.0 }
+    }
+
+    fn expected_speed(&self) -> f64 {
+        (self.fall_energy() + self.fastest_start().powi(2)).sqrt()
+    }
+
     /// The deepest overlap, in radii, that a fall through the box or the fastest disc makes at
     /// a wall.
     fn expected_overlap(&self) -> f64 {
-        let fall = if self.walls { 2.0 * self.gravity.abs() * self.side } else { 0.0 };
-        let speed = (fall + self.fastest_start().powi(2)).sqrt();
+        let speed = self.expected_speed();
         let (smallest, _) = self.radius_range();
         let (_, heaviest) = self.mass_range();
         let eta = self.law().damping.coefficient(self.stiffness, heaviest);
@@ -92,14 +105,16 @@ impl Scenario {
 
     fn note_on_damping(&self) -> Option<String> {
         let printed = "the guide prints eta_n = 1.5e3";
+        let zeta = damping_ratio(1.5e3, self.stiffness, 0.5 * self.mass);
+        let times = format!("{} times critical damping for a pair", Num::rounded(zeta));
         let unchanged = self.damping == self.preset.values().damping;
         match (self.preset, self.damping) {
             (Preset::Guide | Preset::GuideListing, _) if unchanged => Some(format!(
-                "eta_n = 1.5e-3 kg/s ({printed}, 150 times critical damping, which no step of \
-                 Eq. (2) can follow: README, trap 1)"
+                "eta_n = 1.5e-3 kg/s ({printed}, {times}, which no step of Eq. (2) can follow: \
+                 README, trap 1)"
             )),
             (Preset::GuidePrinted, _) if unchanged => {
-                Some(format!("{printed}, taken as kg/s: 150 times critical damping for a pair"))
+                Some(format!("{printed}, taken as kg/s: {times}"))
             }
             (Preset::GuideMassScaled, DampingChoice::Gamma(gamma)) if unchanged => {
                 let e = |reduced_mass: f64| {
