@@ -1,51 +1,51 @@
 # Draws the energy ledger of a run:  gnuplot plot/energy.plot
-# As a picture:  gnuplot -e "png='energy.png'" plot/energy.plot     Also: file='runs/energy.csv'
+# As a file:  gnuplot -e "png='energy.png'" plot/energy.plot        Also: file='runs/energy.csv'
 if (!exists("file")) file = 'energy.csv'
-if (!exists("png") && GPVAL_TERM eq "unknown") png = 'energy.png'   # no windows here
+if (!exists("png") && GPVAL_TERM eq "unknown") png = 'energy.png'   # this gnuplot has no windows
+
+rows = 0
+top = 0.0                                   # the largest energy, which sets the unit
+larger(a, b) = abs(b) > a ? abs(b) : a
+set datafile separator comma columnheaders
 there = strstrt(GPVAL_SYSNAME, "Windows") ? 'if exist "%s" echo 1' : 'test -s "%s" && echo 1'
-if (system(sprintf(there, file)) eq "") {
-    print sprintf("%s is missing or empty: run the simulator in this folder first", file)
-    exit status 1
+if (system(sprintf(there, file)) ne "") {
+    stats file using (rows = rows + 1, top = larger(larger(larger(top, $3), $4), $7), \
+        rows == 1 ? (start = $7, E = abs($3) + abs($4) + abs($5)) : 0) nooutput
 }
+if (rows < 2) { print file." is missing or has less than two rows: run the simulator first" ; exit status 1 }
 if (exists("png")) { set terminal pngcairo size 900,800 ; set output png }
-
-set datafile separator comma
-stats file skip 1 using 1 nooutput                   # counts the rows
-if (STATS_records < 2) { print sprintf("%s has fewer than two lines yet", file) ; exit status 1 }
-stats file skip 1 every ::0::0 using (start = column(7)) nooutput
-# Errors in parts of the largest energy the run had to turn over.
-stats file skip 1 using (column(3) + column(4) + column(5)) nooutput
-scale = STATS_max > 0 ? STATS_max : 1.0
-
-stats file skip 1 using (abs(column(8)) / scale) nooutput
-residue = STATS_max
-
-# Okabe and Ito's colours: told apart by colour-blind eyes too.
-set linetype 1 lc rgb "#D55E00" lw 2
-set linetype 2 lc rgb "#0072B2" lw 2
-set linetype 3 lc rgb "#009E73" lw 2
-set linetype 4 lc rgb "#E69F00" lw 2
-set linetype 5 lc rgb "#000000" lw 2
-
-set multiplot layout 2,1
-set lmargin 14
-set key outside right top vertical Left reverse
-set rmargin 26
+if (strstrt("wxt qt x11 windows aqua", GPVAL_TERM)) { eval "set terminal ".GPVAL_TERM." size 900,800" }
+set key outside top center horizontal samplen 2 Left reverse
+set grid linecolor rgb "gray85"
 set autoscale xfix
-set grid
-set ylabel 'energy, J'
-set format y "%.1e"
-set title 'Where the energy is'
-plot file skip 1 using 2:3 with lines lt 1 title 'kinetic', \
-     '' skip 1 using 2:4 with lines lt 2 title 'gravitational', \
-     '' skip 1 using 2:5 with lines lt 3 title 'elastic', \
-     '' skip 1 using 2:6 with lines lt 4 title 'dissipated', \
-     '' skip 1 using 2:7 with lines lt 5 title 'total'
+set lmargin 11 ; set rmargin 3          # the two panels in line
 set xlabel 'time, s'
-set ylabel 'part of the mechanical energy'
-set title 'Two residues: is the time step right, is the bookkeeping right?'
-plot file skip 1 using 2:((column(7) - start) / scale) with lines lt 5 title 'integration error', \
-     '' skip 1 using 2:(column(8) / scale) with lines lt 1 \
-     title sprintf("work residue, %.0e", residue)
+set multiplot layout 2,1
+# Colours of Okabe and Ito: told apart by every kind of eye.
+power = top > 0 ? real(gprintf("%S", top)) : 0
+scale = 10**-power
+prefix = power == -6 ? "{/Symbol m}" : abs(power) > 12 ? sprintf("10^{%g} ", power) : gprintf("%c", 10**power)
+set ylabel sprintf("energy, %sJ", prefix)
+set offsets 0, 0, graph 0.05, 0
+if (top == 0) { E = 1.0 ; set yrange [-1:1] }   # at rest, without gravity
+plot file using 2:(scale * $7) with lines lw 2.5 lc rgb "black" title 'total', \
+    '' using 2:(scale * $4) with lines lw 2 lc rgb "#0072B2" title 'gravitational', \
+    '' using 2:(scale * $3) with lines lw 2 lc rgb "#D55E00" title 'kinetic', \
+    '' using 2:(scale * $5) with lines lw 2 lc rgb "#009E73" title 'elastic', \
+    '' using 2:(scale * $6) with lines lw 2 lc rgb "#CC79A7" title 'dissipated'
+
+set ylabel "error / energy at start"
+set offsets
+set logscale y                              # which has no zero: only the sizes of errors
+set format y '10^{%T}'
+set yrange [1e-18:*]
+part(x) = x > 0 ? x / E : NaN
+plot file using 2:(part($7 - start)) with points pt 7 ps 0.4 lc rgb "#E69F00" notitle, \
+    '' using 2:(part(start - $7)) with points pt 7 ps 0.4 lc rgb "#56B4E9" notitle, \
+    keyentry with points pt 7 lc rgb "#E69F00" title 'integration error: gain', \
+    keyentry with points pt 7 lc rgb "#56B4E9" title 'integration error: loss', \
+    '' using 2:(part(abs($8))) with lines lw 2 lc rgb "#882255" title 'work residue (round-off)', \
+    2.2e-16 with lines lw 2 dt 3 lc rgb "gray50" title 'double precision'
 unset multiplot
-if (!exists("png")) { pause -1 "Return ends" }
+if (exists("png")) { set output ; print "wrote ".png ; exit }
+eval strstrt(GPVAL_COMPILE_OPTIONS, "+USE_MOUSE") ? 'pause mouse close' : 'pause -1 "Press Enter to end"'

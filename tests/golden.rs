@@ -31,7 +31,12 @@ fn golden_runs_end_in_their_golden_states() {
     let mut wrong = Vec::new();
     for (name, head, steps, golden) in [
         ("falling into a corner", "eta = 0.05\n", 20_000, "3da233d6df0d196f"),
-        ("velocity Verlet", "integrator = 'velocity-verlet'\neta = 0.5\n", 20_000, "f9ad4e5145bdd43b"),
+        (
+            "velocity Verlet",
+            "integrator = 'velocity-verlet'\neta = 0.5\n",
+            20_000,
+            "f9ad4e5145bdd43b",
+        ),
         ("explicit Euler", "integrator = 'explicit-euler'\neta = 2\n", 5000, "797c1dee48597879"),
         ("clipped", "no_tension = true\ngamma = 1.5e3\nnt = 30\n", 20_000, "386eae451f826b39"),
         ("open plane", "walls = false\ngravity = 0\neta = 0\n", 20_000, "c238d9507365c397"),

@@ -137,14 +137,21 @@ fn report(scenario: &Scenario, summary: &Summary) -> io::Result<()> {
     out.flush()
 }
 
-/// What to say of the overlaps: nothing of a run whose numbers went astray for another reason.
+/// What to say after the largest overlap. In a run whose energy went astray softness is not the
+/// cause, and is not blamed.
 fn remark(scenario: &Scenario, summary: &Summary) -> Option<String> {
-    let overlap = summary.max_overlap_over_r;
+    let (overlap, growth) =
+        (summary.max_overlap_over_r, summary.energy_end_J / summary.energy_start_J.abs());
     if !summary.energy_end_J.is_finite() {
         return Some("; the numbers have overflowed, this run says nothing".to_owned());
     }
-    let soft = overlap > notes::SOFT && summary.energy_end_J < 2.0 * summary.energy_start_J.abs();
-    soft.then(|| {
+    if growth > 2.0 && summary.energy_start_J != 0.0 {
+        return Some(format!(
+            "; the energy has grown {growth:.1e}-fold: the time step or the integrator is at \
+             fault; try --integrator symplectic-euler --dt auto"
+        ));
+    }
+    (overlap > notes::SOFT).then(|| {
         let cure = scenario.cure_for_softness(overlap);
         format!(": more than half a radius, discs too soft; {cure}")
     })

@@ -21,6 +21,8 @@ const PARTICLE_STEPS_PER_LOOK: u64 = 20_000;
 pub(super) struct Watch {
     started: Instant,
     next_refresh: Instant,
+    /// Wall time that the last refresh took, s.
+    last_refresh: f64,
     stepping: Duration,
     /// Wall seconds for a simulated second.
     slowdown: Option<f64>,
@@ -42,6 +44,7 @@ impl Watch {
         Self {
             started: now,
             next_refresh: now,
+            last_refresh: 0.0,
             stepping: Duration::ZERO,
             slowdown,
             steps_per_look,
@@ -70,8 +73,12 @@ impl Watch {
             return Ok(());
         }
         refresh()?;
-        let rest = REST_AFTER_REFRESH * begun.elapsed().as_secs_f64();
-        let pause = rest.max(1.0 / REFRESHES_PER_SECOND);
+        let took = begun.elapsed().as_secs_f64();
+        // The shorter of two, so that one slow write does not freeze the view; and a run that
+        // waits anyway has time for all.
+        let usual = if self.slowdown.is_some() { 0.0 } else { took.min(self.last_refresh) };
+        self.last_refresh = took;
+        let pause = (REST_AFTER_REFRESH * usual).max(1.0 / REFRESHES_PER_SECOND);
         self.next_refresh = begun + Duration::from_secs_f64(pause);
         Ok(())
     }
