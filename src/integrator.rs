@@ -1,7 +1,7 @@
 //! Time integrators, side by side: the order of the lines is the whole difference.
 //!
-//! On entry to `step` and on its return every force belongs to the present state, so a method
-//! may kick first and no first step is special. The energy each gains or loses is told in
+//! On entry to `step` and on its return every force belongs to the present state (for velocity
+//! Verlet: to the half-step velocity), so a method may kick first and no first step is special. The energy each gains or loses is told in
 //! `analysis/energy.rs`.
 
 use crate::particle::Particle;

@@ -21,9 +21,9 @@ const SKIN: std::ops::RangeInclusive<f64> = 0.1..=20.0;
 pub struct Neighbours {
     pairs: Vec<[u32; 2]>,
     grid: CellGrid,
-    listed_at: Vec<DVec2>, // m, where each disc was when the list was made
-    skin: f64,             // m
-    life: u32,             // steps that the present list has served
+    listed_at: Vec<(DVec2, f64)>, // m, where each disc was when the list was made, its radius
+    skin: f64,                    // m
+    life: u32,                    // steps that the present list has served
 }
 
 impl Neighbours {
@@ -35,7 +35,7 @@ impl Neighbours {
     /// Makes a new list if discs have moved too far for the present one.
     pub fn refresh(&mut self, particles: &[Particle]) {
         if self.is_good_for(particles) {
-            self.life += 1;
+            self.life = self.life.saturating_add(1);
             return;
         }
         self.choose_skin(particles);
@@ -43,18 +43,20 @@ impl Neighbours {
         self.pairs.clear();
         self.grid.append_pairs(particles, self.skin, &mut self.pairs);
         self.listed_at.clear();
-        self.listed_at.extend(particles.iter().map(|p| p.position));
+        self.listed_at.extend(particles.iter().map(|p| (p.position, p.radius)));
         self.life = 0;
     }
 
-    /// Two discs that were a skin apart can only touch once they have moved a skin between them.
+    /// Two discs that were a skin apart can only touch once they have moved a skin between them,
+    /// or grown. A disc whose position is no number any more touches nobody.
     fn is_good_for(&self, particles: &[Particle]) -> bool {
         let limit = 0.499 * self.skin; // a little less than half, for rounding
         self.listed_at.len() == particles.len()
-            && particles
-                .iter()
-                .zip(&self.listed_at)
-                .all(|(p, &then)| p.position.distance_squared(then) <= limit * limit)
+            && particles.iter().zip(&self.listed_at).all(|(p, &(then, radius))| {
+                let moved_squared = p.position.distance_squared(then);
+                let is_near = moved_squared <= limit * limit || !p.position.is_finite();
+                is_near && p.radius <= radius
+            })
     }
 
     /// The skin follows what the last list taught: how long it served and how many pairs it had.

@@ -8,7 +8,8 @@ use glam::DVec2;
 /// One disc: where it is, how it moves, what pushes it.
 ///
 /// 64 bytes, one cache line. On entry to and on return from every time step,
-/// [`force`](Self::force) belongs to the disc's present position and velocity.
+/// [`force`](Self::force) belongs to the disc's present position and velocity (under velocity
+/// Verlet, which feeds dashpots half a step early, to the half-step velocity).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Particle {

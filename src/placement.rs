@@ -24,7 +24,7 @@ pub enum PlacementError {
     /// Random placement found no more room.
     #[error(
         "the box is too full for random placement: {asked} discs asked, {placed} placed after \
-         {tried} tries, packing fraction {fraction:.3} asked (random placement ends near 0.547)"
+         {tried} tries, packing fraction {fraction:.3} asked (random placement of equal discs ends near 0.547)"
     )]
     NoRoomAtRandom {
         /// Discs asked for.
@@ -90,7 +90,8 @@ pub fn at_random(
 ) -> Result<(), PlacementError> {
     let asked = particles.len();
     let fraction = packing_fraction(particles, side);
-    let most_tries = most_tries(asked, fraction);
+    let to_place = packing_fraction(&particles[fixed..], side);
+    let most_tries = most_tries(asked, to_place);
     let mut tried = 0;
     let mut grid = PlacedGrid::new(particles, side);
     (0..fixed).for_each(|id| grid.insert(id, particles[id].position));
@@ -216,12 +217,14 @@ pub fn lattice(
     // The lattice rarely fills the box to the last hair: centre it.
     let extent = kind.sites(spacing, room).fold(DVec2::ZERO, DVec2::max);
     let corner = DVec2::splat(radius) + 0.5 * (DVec2::splat(room) - extent);
-    let mut next = particles.iter_mut();
+    let order = lattice_order(particles, generator);
+    let mut next = order.into_iter();
     for site in kind.sites(spacing, room) {
         // Each site is taken with the chance that makes all choices equally likely (Knuth's S).
         let taken = uniform(generator) * (sites_left as f64) < to_place as f64;
         sites_left -= 1;
-        if let Some(particle) = taken.then(|| next.next()).flatten() {
+        if let Some(id) = taken.then(|| next.next()).flatten() {
+            let particle = &mut particles[id];
             to_place -= 1;
             let moved = site + jitter * uniform(generator) * direction(generator);
             let edge = particle.radius * (1.0 + 1e-9); // a hair off the wall, for rounding
@@ -230,6 +233,19 @@ pub fn lattice(
         }
     }
     Ok(())
+}
+
+/// The order in which discs take the sites: that of their ids, or a random one (Fisher and Yates)
+/// if they differ, so that groups are mixed and do not lie in layers.
+fn lattice_order(particles: &[Particle], generator: &mut Pcg64) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..particles.len()).collect();
+    let like = |a: &Particle, b: &Particle| (a.radius, a.mass) == (b.radius, b.mass);
+    if !particles.windows(2).all(|two| like(&two[0], &two[1])) {
+        for last in (1..order.len()).rev() {
+            order.swap(last, (uniform(generator) * (last + 1) as f64) as usize);
+        }
+    }
+    order
 }
 
 /// How many discs of `radius` (m) the denser of the two lattices holds in a square of `side` (m).

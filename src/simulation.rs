@@ -59,6 +59,7 @@ impl Motion for Discs {
     fn kick(&mut self, dt: f64) {
         let (gravity, external) = (self.gravity, self.has_external_forces);
         match &self.tally.shares {
+            // The same kicks, with the work of each force booked beside them.
             Some(shares) => {
                 let particles = &mut self.particles;
                 self.works.kick(particles, shares, gravity, external, dt);
@@ -188,13 +189,17 @@ impl Simulation {
         self.discs.update_forces();
     }
 
-    /// Changes the discs by hand between two steps. Forces follow the change, and the kinetic
-    /// energy it gave is booked as external work.
+    /// Changes the discs by hand between two steps. Forces follow the change (under velocity Verlet
+    /// from the present velocity on), and the kinetic energy it gave is booked as external work.
+    /// A change that changes nothing leaves the run as it was, to the bit.
     pub fn act(&mut self, change: impl FnOnce(&mut [Particle])) {
-        let before = work::kinetic_energy(&self.discs.particles);
+        let before = self.discs.particles.clone();
         change(&mut self.discs.particles);
-        let given = work::kinetic_energy(&self.discs.particles) - before;
-        self.discs.works.external.add(given);
+        if self.discs.particles == before {
+            return;
+        }
+        let after = work::kinetic_energy(&self.discs.particles);
+        self.discs.works.external.add(after - work::kinetic_energy(&before));
         self.discs.update_forces();
     }
 

@@ -309,6 +309,31 @@ fn an_unstable_run_asked_for_ends_and_says_so() {
 }
 
 #[test]
+fn slowdown_takes_its_seconds_and_every_rules_out_txt() {
+    let arguments = ["-n", "3", "--time", "20ms", "--slowdown", "25", "--json", "--seed", "1"];
+    let (output, _folder) = outcome(&arguments);
+    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let wall = summary["wall_s"].as_f64().unwrap();
+    assert!((0.49..1.5).contains(&wall), "{wall}"); // 20 ms times 25, and a busy machine
+
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+        .args(["-n", "3", "--slowdown", "20", "--every", "700", "-q", "--seed", "1"])
+        .current_dir(&folder)
+        .spawn()
+        .unwrap();
+    let mut steps = std::collections::BTreeSet::new();
+    for _ in 0..100 {
+        std::thread::sleep(Duration::from_millis(10));
+        let text = fs::read_to_string(folder.path().join("out.txt")).unwrap_or_default();
+        steps.extend(text.split_whitespace().nth(2).and_then(|step| step.parse::<u64>().ok()));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(steps.len() > 2 && steps.iter().all(|step| step % 700 == 0), "{steps:?}");
+}
+
+#[test]
 fn two_runs_in_one_folder_do_not_spoil_each_other() {
     let folder = tempfile::tempdir().unwrap();
     let start = |n: &str| {
@@ -340,6 +365,11 @@ mod signals {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
+        let begun = std::time::Instant::now();
+        while !folder.path().join("out.txt").exists() {
+            assert!(begun.elapsed() < Duration::from_secs(20), "the run does not start");
+            std::thread::sleep(Duration::from_millis(10));
+        }
         std::thread::sleep(delay);
         let id = child.id().to_string();
         assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
@@ -371,6 +401,7 @@ mod signals {
         }
     }
 
+    #[cfg(target_os = "linux")]
     #[test]
     fn a_signal_sent_twice_at_once_still_leaves_complete_files() {
         // timeout(1) sends its signal to the process and to its group.

@@ -142,3 +142,58 @@ fn an_integrator_from_outside_may_move_discs_as_it_likes() {
     (0..3).for_each(|_| simulation.step());
     assert_eq!(simulation.particles()[0].position.x, 1.5);
 }
+
+#[test]
+fn a_hook_that_changes_nothing_changes_no_bit() {
+    for (name, integrator) in INTEGRATORS {
+        let run = |with_hook: bool| {
+            let forces = vec![contacts(damped())];
+            let mut simulation =
+                Simulation::new(implosion(), DVec2::ZERO, forces, integrator(), 5e-6);
+            for _ in 0..3000 {
+                if with_hook {
+                    simulation.act(|_| {});
+                }
+                simulation.step();
+            }
+            assert!(simulation.largest_overlap() > 0.01, "no contact, no test");
+            simulation.state_hash()
+        };
+        assert_eq!(run(true), run(false), "{name}");
+    }
+}
+
+#[test]
+fn velocity_verlet_is_eq_3_started_half_a_kick_earlier_with_damping_too() {
+    // Its dashpot is fed the half-step velocity: then the positions are those of Eq. (3) with
+    // velocities half a step ahead. Equal to rounding over 200 steps in contact.
+    let law = law(Damping::Ratio(0.3));
+    let start = || {
+        vec![disc_at(DVec2::ZERO, DVec2::new(0.5, 0.0)), disc_at(DVec2::X * 1.001e-3, DVec2::ZERO)]
+    };
+    let run = |k: usize| {
+        let dt = 1e-6;
+        let forces = vec![contacts(law)];
+        Simulation::new(start(), DVec2::ZERO, forces, INTEGRATORS[k].1(), dt)
+    };
+    let (mut symplectic, mut verlet) = (run(0), run(2));
+    for _ in 0..200 {
+        symplectic.step();
+        verlet.step();
+        for (a, b) in symplectic.particles().iter().zip(verlet.particles()) {
+            assert!((a.position - b.position).length() < 1e-17, "{} {}", a.position, b.position);
+        }
+    }
+    assert!(verlet.largest_overlap() > 0.01, "no contact, no test");
+}
+
+#[test]
+fn the_largest_overlap_is_told_in_the_smaller_radius() {
+    let mut discs =
+        vec![disc_at(DVec2::ZERO, DVec2::ZERO), disc_at(DVec2::X * 1.4e-3, DVec2::ZERO)];
+    discs[1].radius = 2.0 * RADIUS;
+    let forces = vec![contacts(damped())];
+    let simulation = Simulation::new(discs, DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-6);
+    // Reach 1.5e-3 m: 1e-4 m over 5e-4 m.
+    assert!((simulation.largest_overlap() - 0.2).abs() < 1e-12);
+}

@@ -168,6 +168,7 @@ fn frames_written_by_others_are_read() {
     let variants = [
         "0.01 0.02 1e-4\n0.03 0.02 1e-4\n",
         "# my own header\r\n0.01 0.02 1e-4\r\n0.03\t0.02   0.0001 \r\n\r\n",
+        "# a box with n 1 big disc\n0.01 0.02 1e-4\n0.03 0.02 1e-4\n",
         "\u{feff}0.01 0.02 1e-4\n0.03 0.02 1e-4\n",
         "0 0 1\n\n0.01 0.02 1e-4\n0.03 0.02 1e-4",
         "0 0 1\n\n\n\n\n0.01 0.02 1e-4 17\n0.03 0.02 1e-4 0.5\n\n\n",
@@ -198,6 +199,7 @@ fn frames_that_cannot_be_read_say_where_and_why() {
             Some(0),
             "the frame is cut off: 1 of 2 discs",
         ),
+        ("1 2 3\n\n\n# step 5 time_s", None, "its last frame is cut off; frames 0 to 0 are whole"),
         ("1 2 3\n\n\n1 2 3\n", Some(2), "frame 2 was asked for; it holds frames 0 to 1"),
     ] {
         assert_eq!(read_frame(text.as_bytes(), frame).unwrap_err(), expected, "{text:?}");

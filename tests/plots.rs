@@ -2,6 +2,7 @@
 //! Discs, arrows and curves are the only things in colour: axes, box and letters are black.
 
 use std::fs::{self, File};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
@@ -283,7 +284,8 @@ fn gnuplot_is_missing(what: &str) -> bool {
     if !there {
         let message = format!("SKIPPED: gnuplot is not installed, so {what} was not tested");
         assert!(std::env::var_os("PARSIM2D_REQUIRE_GNUPLOT").is_none(), "{message}");
-        eprintln!("{message}");
+        // Not `eprintln!`, which the test runner hides.
+        std::io::stderr().write_all(format!("{message}\n").as_bytes()).unwrap();
     }
     !there
 }

@@ -70,6 +70,8 @@ fn flags_override_the_file_and_the_file_the_preset() {
     assert_eq!(scenario.damping.flag_and_value(), ("--gamma", 10.0));
     assert_eq!((scenario.step, scenario.dt_set_by), (StepChoice::Nt(40.0), DtSetBy::Nt));
     assert!(layered("walls = true", "no_walls = true").walls);
+    // So do discs of another kind.
+    assert_eq!(layered("n = 5", "[[disc]]\nposition = [0.02, 0.02]").n(), 5);
 }
 
 #[test]
@@ -213,6 +215,95 @@ fn stability_is_judged_by_the_number_of_discs() {
 }
 
 #[test]
+fn the_limit_of_two_unequal_discs_is_that_of_their_reduced_mass() {
+    // omega² = k (1/m_i + 1/m_j): 5e4 * (1000 + 250) 1/s², limit 2/omega.
+    let limit = 2.0 / (5e4f64 * 1250.0).sqrt();
+    for (factor, accepted) in [(0.999, true), (1.001, false)] {
+        let text = format!(
+            "eta = 0\ndt = {:e}\n[[disc]]\nposition = [0.01, 0.02]\n\
+             [[disc]]\nposition = [0.03, 0.02]\nmass = 4e-3",
+            factor * limit
+        );
+        assert_eq!(Scenario::resolve(&settings(&text), || 1).is_ok(), accepted, "{text}");
+    }
+}
+
+#[test]
+fn restitution_is_met_with_and_without_tension() {
+    for tension in ["no_tension = true", "no_tension = false"] {
+        for e in [0.9, 0.5, 0.2] {
+            let text = format!(
+                "{tension}\nrestitution = {e}\nnt = 2000\ngravity = 0\nradius = 5e-4\n\
+                 [[disc]]\nposition = [0.02, 0.000501]\nvelocity = [0, -0.5]"
+            );
+            let mut simulation = layered("", &text).build().unwrap();
+            (0..10_000).for_each(|_| simulation.step());
+            let measured = simulation.particles()[0].velocity.y / 0.5;
+            // First order in the step: 2000 steps a contact.
+            assert!((measured - e).abs() < 2e-3, "{tension} {e}: {measured}");
+        }
+    }
+}
+
+#[test]
+fn speed_is_the_rms_speed_at_the_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("start.txt");
+    fs::write(&file, "0.01 0.01 1e-4\n0.02 0.01 1e-4\n").unwrap();
+    let from_file = format!("start = {:?}", file.to_str().unwrap());
+    for discs in ["n = 50", "[[population]]\nn = 50", &from_file] {
+        let simulation = layered("speed = 0.25", discs).build().unwrap();
+        let discs = simulation.particles();
+        let squares: f64 = discs.iter().map(|disc| disc.velocity.length_squared()).sum();
+        let rms = (squares / discs.len() as f64).sqrt();
+        assert!((rms - 0.25).abs() < 1e-14, "{rms}"); // directions are of length 1 to rounding
+        assert_ne!(discs[0].velocity, discs[1].velocity);
+    }
+}
+
+#[test]
+fn sticking_contacts_are_told_of_by_the_most_damped_one() {
+    // gamma = 16000 1/s: zeta = gamma sqrt(m_eff / k) / 2 is 0.80 for a pair, 1.13 at a wall.
+    let notes = layered("", "gamma = 16000").notes(&[]).join("\n");
+    assert!(notes.contains("zeta = 1.131"), "{notes}");
+    assert!(!layered("", "gamma = 14000").notes(&[]).join("\n").contains("never separate"));
+}
+
+#[test]
+fn groups_on_a_lattice_are_mixed() {
+    let text = "placement = 'lattice'\nseed = 1\n[[population]]\nn = 100\n[[population]]\nn = 100\nmass = 2e-3";
+    let simulation = layered("", text).build().unwrap();
+    let mean = |discs: &[parsim2d::particle::Particle]| {
+        discs.iter().map(|disc| disc.position.y).sum::<f64>() / discs.len() as f64
+    };
+    let (one, other) = simulation.particles().split_at(100);
+    // 0.02 each; a mean of 100 heights uniform over 0.04 m scatters by 0.0012 m.
+    assert!((mean(one) - mean(other)).abs() < 5.0 * 0.0012, "{} {}", mean(one), mean(other));
+}
+
+#[test]
+fn the_printed_damping_with_its_preset_stays_in_the_box() {
+    // A shorter version of -n 300 --radius 5e-4 --preset guide-printed: a small box, so that the
+    // heap is made within 0.03 s.
+    let text =
+        "preset = 'guide-printed'\nn = 40\nradius = 5e-4\nside = 0.01\nseed = 1\ntime = 0.03";
+    let scenario = layered("", text);
+    let mut simulation = scenario.build().unwrap();
+    let fall = (2.0f64 * 9.81 * 0.01).sqrt();
+    for step in 0..scenario.steps() {
+        simulation.step();
+        if step % 100 == 0 {
+            for disc in simulation.particles() {
+                let inside =
+                    disc.position.min_element() > 0.0 && disc.position.max_element() < 0.01;
+                assert!(inside && disc.velocity.length() < fall, "step {step}: {disc:?}");
+            }
+        }
+    }
+    assert!(simulation.largest_overlap() > 1e-3, "no contact, no test");
+}
+
+#[test]
 fn an_unstable_run_is_allowed_if_asked_for() {
     let scenario = layered("", "eta = 1.5e3\nallow_unstable = true");
     let notes = scenario.notes(&[]).join("\n");
@@ -221,6 +312,9 @@ fn an_unstable_run_is_allowed_if_asked_for() {
 
 #[test]
 fn explicit_euler_is_warned_about_with_its_gain_and_not_refused() {
+    // In any damping up to the limit of Eq. (3), though its own is far below.
+    let scenario = layered("", "integrator = 'explicit-euler'\neta = 5\nnt = 12");
+    assert!(scenario.notes(&[]).join("").contains("explicit-euler gains energy"));
     let scenario = layered("", "integrator = 'explicit-euler'");
     let notes = scenario.notes(&[]).join("\n");
     assert!(

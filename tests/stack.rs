@@ -39,7 +39,7 @@ fn a_stack_swings_at_its_two_exact_frequencies() {
         let dt = 1e-3 / omega;
         let mut simulation = stack(shape.map(|s| small * s), dt);
         let rest = stack([0.0, 0.0], dt).particles()[0].position.y;
-        // Ten and a quarter periods are twenty and a half zero crossings.
+        // Twenty zero crossings are nine and a half periods.
         let mut crossings = Vec::new();
         let mut before = simulation.particles()[0].position.y - rest;
         while crossings.len() < 20 {

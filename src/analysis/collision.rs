@@ -43,7 +43,8 @@ pub fn scaled_duration(zeta: f64, end: ContactEnd) -> f64 {
         // Near zeta = 1 both closed forms are 0/0; the limit is 2.
         ContactEnd::ForceZero if root < 1e-6 => 2.0,
         ContactEnd::ForceZero if zeta < 1.0 => (PI - 2.0 * zeta.asin()) / root,
-        ContactEnd::ForceZero => ((zeta + root) / (zeta - root)).ln() / root,
+        // (zeta + root) / (zeta - root) = (zeta + root)², as their product is 1.
+        ContactEnd::ForceZero => 2.0 * (zeta + root).ln() / root,
     }
 }
 

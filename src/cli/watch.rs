@@ -13,8 +13,8 @@ const REFRESHES_PER_SECOND: f64 = 60.0;
 /// run costs it at most a twentieth of its time.
 const REST_AFTER_REFRESH: f64 = 20.0;
 
-/// The clock is looked at about every so many particle-steps (well under a millisecond), so that
-/// looking costs nothing.
+/// The clock is looked at about every so many particle-steps (a millisecond or less, or one
+/// step if that takes longer), so that looking costs nothing.
 const PARTICLE_STEPS_PER_LOOK: u64 = 20_000;
 
 /// The wall clock of a run.

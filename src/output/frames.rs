@@ -119,6 +119,9 @@ impl Frame {
 
     fn read_header(&mut self, header: &str) {
         let words: Vec<&str> = header.split_whitespace().collect();
+        if words.first() != Some(&"step") {
+            return; // a remark of somebody else's
+        }
         for pair in words.windows(2) {
             match pair[0] {
                 "n" => self.declared = pair[1].parse().ok(),
@@ -178,6 +181,9 @@ pub fn read_frame(mut input: impl BufRead, wanted: Option<usize>) -> Result<Fram
         }
     }
     match wanted {
+        _ if frame.rows.is_empty() && finished > 0 => {
+            Err(format!("its last frame is cut off; frames 0 to {} are whole", finished - 1))
+        }
         _ if frame.rows.is_empty() => Err("it holds no frame".to_owned()),
         Some(k) if k > finished => {
             Err(format!("frame {k} was asked for; it holds frames 0 to {finished}"))

@@ -101,7 +101,7 @@ fn quick_digits(value: f64) -> Option<([u8; DIGITS], i32)> {
     Some((digits, exponent))
 }
 
-/// The standard library's exact rounding, five times slower.
+/// The standard library's exact rounding, which is slower.
 fn exact_digits(value: f64) -> ([u8; DIGITS], i32) {
     let text = format!("{value:.8e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -80,11 +80,16 @@ fn rename(path: &Path) -> io::Result<()> {
     let mut tries_left = if cfg!(windows) { 20 } else { 0 };
     loop {
         match fs::rename(temporary(path), path) {
-            Err(error) if tries_left > 0 && error.kind() == io::ErrorKind::PermissionDenied => {
+            Err(error) if tries_left > 0 && is_held_open(&error) => {
                 tries_left -= 1;
                 std::thread::sleep(std::time::Duration::from_millis(10));
             }
             done => return done,
         }
     }
+}
+
+/// Windows: access denied (5) or a sharing violation (32).
+fn is_held_open(error: &io::Error) -> bool {
+    error.kind() == io::ErrorKind::PermissionDenied || error.raw_os_error() == Some(32)
 }

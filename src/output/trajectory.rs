@@ -10,7 +10,8 @@ use crate::simulation::Simulation;
 
 /// More bytes than this, and the default interval between frames grows.
 const MOST_BYTES: u64 = 500_000_000;
-/// A row has five numbers of nine digits and their signs, dots and exponents.
+/// At most: a row has five numbers of nine digits and their signs, dots and exponents; most rows
+/// are some 50 bytes.
 const BYTES_PER_ROW: u64 = 70;
 
 /// Steps between frames if none were asked for: about 200 frames in a run of `n` discs and
@@ -19,7 +20,7 @@ const BYTES_PER_ROW: u64 = 70;
 /// ```
 /// use parsim2d::output::trajectory::default_every;
 /// assert_eq!(default_every(20, 112_540), 563);
-/// assert_eq!(default_every(1_000_000, 1000), 143); // 7 frames of 70 MB
+/// assert_eq!(default_every(1_000_000, 1000), 143); // eight frames of a million rows
 /// ```
 pub fn default_every(n: usize, steps: u64) -> u64 {
     let most_frames = (MOST_BYTES / (BYTES_PER_ROW * n.max(1) as u64)).clamp(1, 200);

@@ -69,9 +69,7 @@ impl Scenario {
         let speed = self.expected_speed();
         let (smallest, _) = self.radius_range();
         let (_, heaviest) = self.mass_range();
-        let eta = self.law().damping.coefficient(self.stiffness, heaviest);
-        let zeta = damping_ratio(eta, self.stiffness, heaviest);
-        largest_overlap(speed, zeta, self.stiffness, heaviest) / smallest
+        largest_overlap(speed, self.damping_ratio(heaviest), self.stiffness, heaviest) / smallest
     }
 
     /// The largest speed to expect of the discs' own motion, m/s: discs that are many exchange
@@ -95,12 +93,18 @@ impl Scenario {
         let radius = one_digit_up(self.radius * self.expected_overlap() / FIRM);
         let area = std::f64::consts::PI * radius * radius * self.n() as f64;
         let fits = area < 0.5 * self.side * self.side;
-        match &self.discs {
-            DiscSource::Equal(_) if fits && radius > self.radius => {
-                format!("try --radius {} or --kn {}", Num(radius), Num(kn))
-            }
-            _ => format!("try --kn {}", Num(kn)),
+        let stays_stable = Self { stiffness: kn, ..self.clone() }.refusal().is_none();
+        let is_equal = matches!(self.discs, DiscSource::Equal(_));
+        let mut cures = Vec::new();
+        if is_equal && fits && radius > self.radius {
+            cures.push(format!("--radius {}", Num(radius)));
         }
+        if stays_stable {
+            cures.push(format!("--kn {}", Num(kn)));
+        } else {
+            cures.push(format!("--kn {} with --dt auto", Num(kn)));
+        }
+        format!("try {}", cures.join(" or "))
     }
 
     fn note_on_damping(&self) -> Option<String> {
@@ -134,16 +138,24 @@ impl Scenario {
     }
 
     fn note_on_overdamping(&self) -> Option<String> {
-        let (lightest, _) = self.mass_range();
-        let reduced_mass = if self.n() > 1 { 0.5 * lightest } else { lightest };
-        let eta = self.law().damping.coefficient(self.stiffness, reduced_mass);
-        let zeta = damping_ratio(eta, self.stiffness, reduced_mass);
+        let (lightest, heaviest) = self.mass_range();
+        let wall = if self.walls { heaviest } else { 0.5 * lightest };
+        // By eta the lightest contact is damped most, by gamma the heaviest.
+        let contacts =
+            if self.n() > 1 { vec![0.5 * lightest, 0.5 * heaviest, wall] } else { vec![wall] };
+        let zeta = contacts.into_iter().map(|mass| self.damping_ratio(mass)).fold(0.0, f64::max);
         (zeta >= 1.0 && self.tension).then(|| {
             format!(
                 "zeta = {zeta:.3}: at zeta >= 1 discs that touch never separate on their own; \
                  --no-tension lets them"
             )
         })
+    }
+
+    /// The damping ratio zeta of a contact of this reduced mass, kg.
+    fn damping_ratio(&self, reduced_mass: f64) -> f64 {
+        let eta = self.law().damping.coefficient(self.stiffness, reduced_mass);
+        damping_ratio(eta, self.stiffness, reduced_mass)
     }
 
     fn note_on_step(&self) -> Option<String> {
@@ -156,7 +168,8 @@ impl Scenario {
         if fraction <= COARSE || self.integrator == IntegratorName::ExplicitEuler {
             return None;
         }
-        Some(match limit.is_overdamped {
+        let (smallest, largest) = self.radius_range();
+        Some(match limit.is_overdamped && smallest == largest {
             true => format!("coarse: {step} for {}; overdamped contacts bear that", limit.by),
             false => format!(
                 "coarse: {step} for {}; a crowded box heats up at such steps. --dt auto is finer",

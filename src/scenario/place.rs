@@ -11,21 +11,23 @@ use crate::force::HalfPlane;
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
 use crate::placement::{self, PlacementError};
+use crate::simulation::place_discs;
 
 impl Scenario {
     /// The discs at t = 0, placed and checked.
     pub(super) fn place(&self) -> Result<Vec<Particle>, ScenarioError> {
-        let mut generator = placement::generator(self.seed);
         let (fixed, groups) = self.fixed_and_groups();
         self.check_overlaps(&fixed)?;
         let fixed = fixed.len();
-        let (mut particles, failed) = match self.placed(&mut generator) {
+        let (mut particles, failed) = match self.placed(self.seed) {
             Ok(particles) => (particles, None),
             Err((why, particles)) => (particles, Some(why)),
         };
         if let Some(why) = failed {
             return Err(self.box_too_full(why, &particles));
         }
+        // Directions have a stream of random numbers of their own.
+        let mut generator = placement::generator(!self.seed);
         let speeds = groups.iter().flat_map(|group| std::iter::repeat_n(group.speed, group.n));
         for (disc, speed) in particles[fixed..].iter_mut().zip(speeds) {
             if speed > 0.0 {
@@ -46,11 +48,9 @@ impl Scenario {
         }
     }
 
-    /// All discs in their places, or why not, with the discs as far as they came.
-    fn placed(
-        &self,
-        generator: &mut Pcg64,
-    ) -> Result<Vec<Particle>, (PlacementError, Vec<Particle>)> {
+    /// All discs in their places by the random numbers of `seed`, or why not, with the discs as far
+    /// as they came.
+    fn placed(&self, seed: u64) -> Result<Vec<Particle>, (PlacementError, Vec<Particle>)> {
         let (mut particles, groups) = self.fixed_and_groups();
         let fixed = particles.len();
         for group in &groups {
@@ -60,9 +60,16 @@ impl Scenario {
         let placed = match self.placement {
             _ if particles.len() == fixed => Ok(()),
             PlacementName::Lattice if fixed == 0 => {
-                placement::lattice(&mut particles, self.side, generator)
+                placement::lattice(&mut particles, self.side, &mut placement::generator(seed))
             }
-            _ => placement::at_random(&mut particles, fixed, self.side, generator),
+            PlacementName::Random if matches!(self.discs, DiscSource::Equal(_)) => {
+                place_discs(particles.len(), self.radius, self.mass, self.side, seed)
+                    .map(|placed| particles = placed)
+            }
+            _ => {
+                let generator = &mut placement::generator(seed);
+                placement::at_random(&mut particles, fixed, self.side, generator)
+            }
         };
         match placed {
             Ok(()) => Ok(particles),
@@ -177,10 +184,7 @@ impl Scenario {
         if self.n() > MOST_DISCS_TO_TRY && self.placement == PlacementName::Random {
             return true;
         }
-        (0..4).all(|more| {
-            let mut generator = placement::generator(self.seed + more);
-            self.placed(&mut generator).is_ok()
-        })
+        (0..4).all(|more| self.placed(self.seed + more).is_ok())
     }
 }
 

@@ -160,7 +160,8 @@ settings! {
 }
 
 impl Settings {
-    /// Flags over file. A damping (or time step) said in a flag replaces any said in the file.
+    /// Flags over file. A damping, a time step or a choice of discs said in a flag replaces any said
+    /// in the file.
     pub fn over(self, mut file: Self) -> Self {
         if self.eta.is_some() || self.gamma.is_some() || self.restitution.is_some() {
             (file.eta, file.gamma, file.restitution) = (None, None, None);
@@ -170,6 +171,13 @@ impl Settings {
         }
         if self.walls.is_some() || self.no_walls.is_some() {
             (file.walls, file.no_walls) = (None, None);
+        }
+        if self.start.is_some() || self.n.is_some() {
+            (file.start, file.n) = (None, None);
+            (file.discs, file.populations) = (Vec::new(), Vec::new());
+        }
+        if self.start.is_some() {
+            (file.radius, file.placement) = (None, None);
         }
         self.or(file)
     }
