@@ -59,13 +59,14 @@ fn two_discs_exchange_their_velocities() {
 }
 
 #[test]
-fn oblique_discs_part_nearly_at_a_right_angle() {
+fn oblique_discs_part_at_a_right_angle() {
     let discs = end("oblique", "");
     let angle = discs[0].velocity.angle_to(discs[1].velocity).abs().to_degrees();
-    // Hard discs: 90 degrees. The contact's 3e-4 s turn the line of centres by less than a degree.
-    assert!((angle - 90.0).abs() < 1.0, "{angle}");
+    // Energy and momentum of equal masses demand 90 degrees; the energy is met to 1e-3.
+    assert!((angle - 90.0).abs() < 0.1, "{angle}");
     let hit = discs[1].velocity.to_angle().to_degrees();
-    assert!((hit - 30.0).abs() < 1.0, "{hit}"); // sin = 1 mm off over 2 mm
+    // sin = 1 mm off over 2 mm; the contact's 3e-4 s turn the line of centres by half a degree.
+    assert!((hit - 30.0).abs() < 1.0, "{hit}");
 }
 
 #[test]
