@@ -2,4 +2,5 @@
 
 pub mod collision;
 pub mod energy;
+pub mod guard;
 pub mod stability;

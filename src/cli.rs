@@ -1,8 +1,10 @@
 //! The command line: one file a subcommand.
 
+mod check;
 mod interrupt;
 mod presets;
 mod run;
+mod stepping;
 mod watch;
 
 use std::io::{self, Write};
@@ -11,6 +13,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::output::OutputError;
+use crate::output::failure::FailureReport;
 use crate::scenario::error::ScenarioError;
 use crate::scenario::file::did_you_mean;
 
@@ -26,6 +29,7 @@ pub fn run() -> ExitCode {
     let done = match cli.command {
         None => run::run(&cli.run),
         Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Check(arguments)) => check::check(&arguments),
         Some(Command::Presets) => presets::print(),
     };
     match done {
@@ -71,6 +75,9 @@ enum Command {
     /// Run a simulation; the same as no subcommand
     #[command(after_help = EXAMPLES)]
     Run(Box<run::RunArguments>),
+    /// Say what is wrong with a scenario, by which parameter, and what would work; run nothing
+    #[command(after_help = check::EXAMPLES)]
+    Check(Box<run::RunArguments>),
     /// List the presets and their numbers
     Presets,
 }
@@ -84,6 +91,8 @@ enum Failure {
     Output(#[from] OutputError),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
     UnknownCommand { word: String, known: String, advice: String },
+    #[error("{0}")]
+    WentWrong(Box<FailureReport>),
     #[error("writing to standard output failed: {0}")]
     Stdout(#[from] io::Error),
 }
@@ -106,7 +115,9 @@ impl Failure {
 
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Output(OutputError::Write { .. }) | Self::Stdout(_) => ExitCode::FAILURE,
+            Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong(_) => {
+                ExitCode::FAILURE
+            }
             Self::Scenario(_) | Self::Output(_) | Self::UnknownCommand { .. } => ExitCode::from(2),
         }
     }

@@ -17,16 +17,18 @@ pub trait Force: Send {
 }
 
 /// What contact forces report beside the pushes they give.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Tally {
-    /// The largest overlap met so far, as a fraction of the (smaller) radius.
-    pub largest_overlap: f64,
+    /// The largest overlap of two discs so far, as a fraction of the smaller radius.
+    pub largest_pair_overlap: f64,
+    /// The largest overlap with a wall so far, as a fraction of the radius.
+    pub largest_wall_overlap: f64,
     /// Spring and dashpot force on each disc, kept only while the work ledger is on.
     pub shares: Option<Vec<Share>>,
 }
 
 impl Tally {
-    /// Forgets the shares of the previous state; the largest overlap is of the whole run.
+    /// Forgets the shares of the previous state; the largest overlaps are of the whole run.
     pub fn begin(&mut self) {
         if let Some(shares) = &mut self.shares {
             shares.fill(Share::default());
@@ -69,7 +71,8 @@ impl<L: ContactLaw> Force for Contacts<L> {
             stored_energy += self.law.stored_energy(&contact);
 
             let smaller_radius = particles[i].radius.min(particles[j].radius);
-            tally.largest_overlap = tally.largest_overlap.max(contact.overlap / smaller_radius);
+            let relative_overlap = contact.overlap / smaller_radius;
+            tally.largest_pair_overlap = tally.largest_pair_overlap.max(relative_overlap);
             if let Some(shares) = &mut tally.shares {
                 let spring = self.law.spring(&contact);
                 shares[i].spring -= spring * contact.normal;
@@ -129,7 +132,7 @@ impl<L: ContactLaw> Force for Walls<L> {
                 stored_energy += self.law.stored_energy(&contact);
 
                 let relative_overlap = contact.overlap / particle.radius;
-                tally.largest_overlap = tally.largest_overlap.max(relative_overlap);
+                tally.largest_wall_overlap = tally.largest_wall_overlap.max(relative_overlap);
                 if let Some(shares) = &mut tally.shares {
                     let spring = self.law.spring(&contact);
                     shares[i].spring -= spring * contact.normal;

@@ -5,6 +5,7 @@
 
 pub mod checkpoint;
 pub mod energy;
+pub mod failure;
 pub mod frames;
 pub mod live;
 pub mod number;

@@ -3,21 +3,26 @@
 //!
 //! Values come in layers: preset, then scenario file, then flags.
 
+pub mod diagnosis;
 mod discs;
 pub mod error;
 mod exclusive;
+pub mod expected;
 pub mod file;
+pub mod finding;
+pub mod judgement;
 pub mod notes;
 mod number;
 mod place;
+pub mod post_mortem;
 pub mod preset;
 mod printed;
 pub mod quantity;
 mod range;
-pub mod refusal;
 mod resolve;
 pub mod settings;
 mod start;
+mod suspects;
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +32,7 @@ use self::error::ScenarioError;
 use self::preset::Preset;
 use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
-use crate::analysis::stability::{self, Limit};
+use crate::analysis::stability::{self, Assembly, Limit, Species};
 use crate::force::{Contacts, Force, HalfPlane, Walls};
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
 use crate::neighbours::Neighbours;
@@ -203,28 +208,12 @@ impl Scenario {
 
     /// Masses of the lightest and the heaviest disc, kg.
     pub fn mass_range(&self) -> (f64, f64) {
-        match &self.discs {
-            DiscSource::Equal(_) | DiscSource::Frame { .. } => (self.mass, self.mass),
-            DiscSource::Listed(listed, groups) => {
-                let masses = listed.iter().map(|disc| disc.mass);
-                masses
-                    .chain(groups.iter().map(|group| group.mass))
-                    .fold((f64::INFINITY, 0.0), |(low, high), m| (low.min(m), high.max(m)))
-            }
-        }
+        range(self.species().iter().map(|species| species.mass))
     }
 
     /// Radii of the smallest and the largest disc, m.
     pub fn radius_range(&self) -> (f64, f64) {
-        let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
-            DiscSource::Equal(_) => return (self.radius, self.radius),
-            DiscSource::Listed(listed, groups) => (listed, groups),
-            DiscSource::Frame { discs, .. } => (discs, &[]),
-        };
-        let radii = listed.iter().map(|disc| disc.radius);
-        radii
-            .chain(groups.iter().map(|group| group.radius))
-            .fold((f64::INFINITY, 0.0), |(low, high), r| (low.min(r), high.max(r)))
+        range(self.species().iter().map(|species| species.radius))
     }
 
     /// The contact law, the same for pairs and walls.
@@ -247,10 +236,28 @@ impl Scenario {
         if self.tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero }
     }
 
+    /// The discs by kind: those placed by the program in groups, listed ones one by one.
+    pub fn species(&self) -> Vec<Species> {
+        let one = |disc: &Particle| Species { n: 1, radius: disc.radius, mass: disc.mass };
+        match &self.discs {
+            DiscSource::Equal(n) => {
+                vec![Species { n: *n, radius: self.radius, mass: self.mass }]
+            }
+            DiscSource::Listed(listed, groups) => {
+                let groups = groups.iter().map(|group| Species {
+                    n: group.n,
+                    radius: group.radius,
+                    mass: group.mass,
+                });
+                listed.iter().map(one).chain(groups).collect()
+            }
+            DiscSource::Frame { discs, .. } => discs.iter().map(one).collect(),
+        }
+    }
+
     /// The stable limit on the time step.
     pub fn limit(&self) -> Limit {
-        let (lightest, heaviest) = self.mass_range();
-        stability::limit(&self.law(), self.n(), lightest, heaviest)
+        stability::limit(&self.law(), &Assembly::of(&self.species()))
     }
 
     /// The time step, s. Eq. (2) takes the lightest disc's mass.
@@ -302,4 +309,9 @@ impl Scenario {
         };
         Ok(Simulation::new(particles, self.gravity_vector(), forces, integrator, self.dt()))
     }
+}
+
+/// The smallest and the largest of `values`.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, 0.0), |(low, high), value| (low.min(value), high.max(value)))
 }

@@ -89,6 +89,23 @@ impl Motion for Discs {
     }
 }
 
+/// The state of a simulation between two steps.
+#[derive(Clone)]
+pub struct State {
+    particles: Vec<Particle>,
+    tally: Tally,
+    works: Works,
+    stored_energy: f64, // J
+    steps: u64,
+}
+
+impl State {
+    /// Steps done.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+}
+
 /// Discs, an integrator and a clock.
 pub struct Simulation {
     discs: Discs,
@@ -161,7 +178,17 @@ impl Simulation {
 
     /// The largest overlap so far, start included, as a fraction of the smaller radius.
     pub fn largest_overlap(&self) -> f64 {
-        self.discs.tally.largest_overlap
+        self.largest_pair_overlap().max(self.largest_wall_overlap())
+    }
+
+    /// The same between discs only.
+    pub fn largest_pair_overlap(&self) -> f64 {
+        self.discs.tally.largest_pair_overlap
+    }
+
+    /// The same at walls only.
+    pub fn largest_wall_overlap(&self) -> f64 {
+        self.discs.tally.largest_wall_overlap
     }
 
     /// Works gathered since [`keep_work_ledger`](Self::keep_work_ledger), if it was called.
@@ -201,6 +228,22 @@ impl Simulation {
         let after = work::kinetic_energy(&self.discs.particles);
         self.discs.works.external.add(after - work::kinetic_energy(&before));
         self.discs.update_forces();
+    }
+
+    /// All that is remembered between two steps, to come back to.
+    pub fn state(&self) -> State {
+        let Discs { particles, tally, works, stored_energy, .. } = &self.discs;
+        let (particles, tally) = (particles.clone(), tally.clone());
+        State { particles, tally, works: *works, stored_energy: *stored_energy, steps: self.steps }
+    }
+
+    /// Goes back to `state`: the steps from there on have the same bits as the first time.
+    pub fn set_state(&mut self, state: &State) {
+        let State { particles, tally, works, stored_energy, steps } = state.clone();
+        self.steps = steps;
+        let discs = &mut self.discs;
+        (discs.particles, discs.tally) = (particles, tally);
+        (discs.works, discs.stored_energy) = (works, stored_energy);
     }
 
     /// A 64-bit fingerprint of the state: FNV-1a (Fowler, Noll, Vo) over the step and then, in

@@ -13,7 +13,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ("work", &["particle", "force"]),
     ("placement", &["particle", "neighbours"]),
     ("simulation", &["particle", "force", "integrator", "placement", "work"]),
-    ("analysis", &["particle", "work", "simulation"]),
+    ("analysis", &["particle", "neighbours", "work", "simulation"]),
     ("output", &["simulation", "analysis"]),
     (
         "scenario",

@@ -136,7 +136,7 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
         (&["no_such.toml"], "cannot read the scenario no_such.toml"),
         (
             &["preset"],
-            "neither a subcommand (run, presets) nor a scenario file; did you mean `presets`?",
+            "neither a subcommand (run, check, presets) nor a scenario file; did you mean `presets`?",
         ),
         (&["--slowdown", "0"], "slowdown = 0 is not possible"),
         (&["--every", "0"], "every = 0 is not possible"),

@@ -7,6 +7,10 @@
 //! 6.1/m for a packed bed: 6 for the triangular packing, 5.76 to 6.02 measured in settled beds
 //! (compare Burns and Hanley 2017, IJNME 110:186).
 //!
+//! A disc of mass m_b with c small neighbours all around it adds a mode of its own, in which it moves
+//! against them: k_n c/2 holds it, so that lambda is about c/(2 m_b) + 3.1/m, which for equal discs
+//! (c = 6) is 6.1/m again.
+//!
 //! The limits are necessary, not sufficient: contacts open and close, and a step just below the
 //! limit heats a crowded box. Stay below [`COARSE`] of it.
 
@@ -23,6 +27,9 @@ pub const AUTO: f64 = 0.08;
 /// omega_max² m / k_n of a packed bed.
 const PACKED_BED: f64 = 6.1;
 
+/// What of [`PACKED_BED`] is left without the half of each disc's own six neighbours.
+const AROUND_A_DISC: f64 = PACKED_BED - 3.0;
+
 /// What limits the time step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitedBy {
@@ -32,6 +39,8 @@ pub enum LimitedBy {
     Pair,
     /// Many contacts at once.
     PackedBed,
+    /// Many small discs around a larger one that is light for its size.
+    LargeDisc,
 }
 
 impl std::fmt::Display for LimitedBy {
@@ -40,6 +49,7 @@ impl std::fmt::Display for LimitedBy {
             Self::OneDisc => "one disc at a wall",
             Self::Pair => "a pair of discs",
             Self::PackedBed => "a heap of discs",
+            Self::LargeDisc => "a large disc among many small ones",
         })
     }
 }
@@ -76,38 +86,104 @@ fn frequency_and_damping_ratio(stiffness: f64, eta: f64, lambda: f64) -> (f64, f
     (omega, eta * lambda / (2.0 * omega))
 }
 
-/// The limit for `n` discs whose lightest has mass `lightest` and heaviest `heaviest` (kg):
-/// the strictest of one disc at a wall, a pair (n >= 2) and a packed bed (n >= 3).
+/// So many equal discs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Species {
+    /// How many.
+    pub n: usize,
+    /// Radius of each.
+    pub radius: f64, // m
+    /// Mass of each.
+    pub mass: f64, // kg
+}
+
+/// What the stable limit of a set of discs depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assembly {
+    /// Number of discs.
+    pub n: usize,
+    /// Mass of the lightest disc.
+    pub lightest: f64, // kg
+    /// Mass of the heaviest disc.
+    pub heaviest: f64, // kg
+    /// omega²/k_n of the fastest mode of one large disc against small neighbours.
+    pub large_disc: f64, // 1/kg
+}
+
+impl Assembly {
+    /// The assembly of all `species`, of which there is at least one disc.
+    ///
+    /// ```
+    /// use parsim2d::analysis::stability::{Assembly, Species};
+    /// // A disc of 3 mm in a ring of 60 of 0.14 mm, all of 1 g: 70 would have room around it.
+    /// let large = Species { n: 1, radius: 3e-3, mass: 1e-3 };
+    /// let small = Species { n: 60, radius: 1.4e-4, mass: 1e-3 };
+    /// let ring = Assembly::of(&[large, small]);
+    /// assert_eq!(ring.n, 61);
+    /// assert!((ring.large_disc - (3.1 + 60.0 / 2.0) / 1e-3).abs() < 1e-6); // 1/kg
+    /// ```
+    pub fn of(species: &[Species]) -> Self {
+        let n = species.iter().map(|s| s.n).sum::<usize>();
+        let least = |of: fn(&Species) -> f64| species.iter().map(of).fold(f64::INFINITY, f64::min);
+        let (lightest, smallest) = (least(|s| s.mass), least(|s| s.radius));
+        let large_disc = species
+            .iter()
+            .map(|s| {
+                let angle = (smallest / (s.radius + smallest)).asin(); // half of what one takes up
+                let around = (PI / angle + 1e-9).floor().min(n.saturating_sub(1) as f64);
+                AROUND_A_DISC / lightest + around / (2.0 * s.mass)
+            })
+            .fold(0.0, f64::max);
+        let heaviest = species.iter().map(|s| s.mass).fold(0.0, f64::max);
+        Self { n, lightest, heaviest, large_disc }
+    }
+}
+
+/// The limits for an assembly of discs, each with its cause: one disc at a wall, a pair (n >= 2), a
+/// packed bed (n >= 3), and a large disc among small ones where it is stricter than the bed.
 ///
 /// ```
-/// use parsim2d::analysis::stability::{LimitedBy, limit};
+/// use parsim2d::analysis::stability::{Assembly, LimitedBy, Species, limit};
 /// use parsim2d::particle::{Damping, SpringDashpot};
 /// let as_printed = SpringDashpot {
 ///     stiffness: 5e4,
 ///     damping: Damping::Coefficient(1.5e3),
 ///     tension: true,
 /// };
-/// let heap = limit(&as_printed, 300, 1e-3, 1e-3);
-/// assert_eq!(heap.by, LimitedBy::PackedBed);
-/// assert!((heap.dt / 2.1857e-7 - 1.0).abs() < 1e-4); // s; Eq. (2) would need N_t > 2032
+/// let heap = Assembly::of(&[Species { n: 300, radius: 1e-4, mass: 1e-3 }]);
+/// let limit = limit(&as_printed, &heap);
+/// assert_eq!(limit.by, LimitedBy::PackedBed);
+/// assert!((limit.dt / 2.1857e-7 - 1.0).abs() < 1e-4); // s; Eq. (2) would need N_t > 2032
 /// ```
-pub fn limit(law: &SpringDashpot, n: usize, lightest: f64, heaviest: f64) -> Limit {
+pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
+    let &Assembly { n, lightest, heaviest, large_disc } = assembly;
     let pair_mass = lightest * heaviest / (lightest + heaviest);
     let pair_lambda = if n == 2 { 1.0 / pair_mass } else { 2.0 / lightest };
+    let bed = PACKED_BED / lightest;
     let modes = [
         (1, LimitedBy::OneDisc, lightest, 1.0 / lightest),
         (2, LimitedBy::Pair, pair_mass, pair_lambda),
-        (3, LimitedBy::PackedBed, pair_mass, PACKED_BED / lightest),
+        (3, LimitedBy::PackedBed, pair_mass, bed),
+        (3, LimitedBy::LargeDisc, pair_mass, large_disc),
     ];
     modes
         .into_iter()
         .filter(|&(discs, ..)| discs <= n.max(1))
+        // The margin keeps equal discs, for which both are 6.1/m, out of the rounding.
+        .filter(|&(_, by, _, lambda)| by != LimitedBy::LargeDisc || lambda > 1.001 * bed)
         .map(|(_, by, reduced_mass, lambda)| {
             let eta = law.damping.coefficient(law.stiffness, reduced_mass);
             let (_, zeta) = frequency_and_damping_ratio(law.stiffness, eta, lambda);
             let dt = mode_limit(law.stiffness, eta, lambda);
             Limit { dt, by, is_overdamped: zeta >= 1.0 }
         })
+        .collect()
+}
+
+/// The strictest of [`limits`].
+pub fn limit(law: &SpringDashpot, assembly: &Assembly) -> Limit {
+    limits(law, assembly)
+        .into_iter()
         .min_by(|a, b| a.dt.total_cmp(&b.dt))
         .expect("one disc at a wall always counts")
 }

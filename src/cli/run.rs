@@ -9,21 +9,22 @@ use rand::TryRng;
 
 use super::Failure;
 use super::interrupt::Interrupt;
-use super::watch::{Watch, placing_spinner};
+use super::stepping::Stepping;
+use super::watch::placing_spinner;
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::recorder::Recorder;
 use crate::output::summary::Summary;
 use crate::scenario::settings::Settings;
-use crate::scenario::{Scenario, file, notes};
+use crate::scenario::{Scenario, file, judgement};
 use crate::simulation::{Simulation, time_step};
 
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub(super) struct RunArguments {
     /// Scenario file (TOML); flags override it
     #[arg(value_name = "SCENARIO.toml")]
     scenario: Option<PathBuf>,
     #[command(flatten)]
-    settings: Settings,
+    pub(super) settings: Settings,
     /// Print every choice of the run as a scenario file, and do not run
     #[arg(long, help_heading = "Output")]
     print_config: bool,
@@ -40,36 +41,31 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let mut simulation = scenario.build()?;
     spinner.finish_and_clear();
     interrupt.finish_files_first();
-    let mut recorder = Recorder::create(&scenario.output_plan(), &mut simulation)?;
+    let recorder = Recorder::create(&scenario.output_plan(), &mut simulation)?;
     say_notes(&scenario, &simulation, seed_was_drawn);
     let start = MechanicalEnergy::of(&simulation).total();
+    let mut stepping = Stepping::begin(&scenario, simulation, recorder);
+    stepping.go(|| interrupt.is_raised())?;
 
-    let stop = || interrupt.is_raised();
-    let output = &scenario.output;
-    let quiet = output.quiet;
-    let mut watch = Watch::start(&simulation, scenario.steps(), output.slowdown, quiet);
-    let end = scenario.steps();
-    while simulation.steps() < end && !stop() {
-        let until = recorder.next_due().min(watch.next_look(&simulation)).min(end);
-        watch.step_until(&mut simulation, until);
-        recorder.record_due(&simulation)?;
-        if output.every.is_none() {
-            watch.refresh_if_due(|| recorder.refresh_live(&simulation))?;
-        }
-        watch.keep_pace(&simulation, stop);
-    }
-    recorder.finish(&simulation)?;
-    watch.finish();
-
-    match report(&scenario, &summary(&scenario, &simulation, start, &watch)) {
+    match report(&scenario, &summary(&scenario, &stepping, start)) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
         done => done?,
     }
-    Ok(ExitCode::from(if simulation.steps() < end { 130 } else { 0 }))
+    let is_stopped = stepping.is_stopped();
+    match stepping.failure {
+        Some(failure) if is_stopped => Err(Failure::WentWrong(Box::new(failure))),
+        failure => {
+            if let (Some(failure), false) = (failure, scenario.output.quiet) {
+                let _ = writeln!(io::stderr(), "note: {failure}"); // a closed stderr is no failure
+            }
+            let is_done = stepping.simulation.steps() >= scenario.steps();
+            Ok(ExitCode::from(if is_done { 0 } else { 130 }))
+        }
+    }
 }
 
 /// Flags over file over preset; and whether the seed was drawn.
-fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
+pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
         Some(path) if path.extension().is_none() && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
@@ -100,7 +96,8 @@ fn say_notes(scenario: &Scenario, simulation: &Simulation, seed_was_drawn: bool)
     }
 }
 
-fn summary(scenario: &Scenario, simulation: &Simulation, start: f64, watch: &Watch) -> Summary {
+fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
+    let Stepping { simulation, watch, failure, .. } = stepping;
     let n = simulation.particles().len();
     let particle_steps = n as f64 * simulation.steps() as f64;
     let (lightest, _) = scenario.mass_range();
@@ -123,7 +120,9 @@ fn summary(scenario: &Scenario, simulation: &Simulation, start: f64, watch: &Wat
         dissipated_J: simulation.works().map(|works| 0.0 - works.dashpot.value()),
         max_overlap_over_r: simulation.largest_overlap(),
         state_hash: format!("{:016x}", simulation.state_hash()),
-        interrupted: simulation.steps() < scenario.steps(),
+        interrupted: simulation.steps() < scenario.steps() && !stepping.is_stopped(),
+        went_wrong: failure.as_ref().map(|failure| failure.kind),
+        went_wrong_at_step: failure.as_ref().map(|failure| failure.step),
     }
 }
 
@@ -151,8 +150,8 @@ fn remark(scenario: &Scenario, summary: &Summary) -> Option<String> {
              fault; try --integrator symplectic-euler --dt auto"
         ));
     }
-    (overlap > notes::SOFT).then(|| {
-        let cure = scenario.cure_for_softness(overlap);
-        format!(": more than half a radius, discs too soft; {cure}")
+    (overlap > judgement::SOFT).then(|| {
+        let cure = scenario.cure_for_softness(overlap).join(" or ");
+        format!(": more than half a radius, discs too soft; try {cure}")
     })
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::OutputError;
 use super::checkpoint::refuse_foreign;
 use super::energy::EnergyFile;
+use super::failure;
 use super::live::LiveFrame;
 use super::replace::NewFile;
 use super::trajectory::Trajectory;
@@ -74,6 +75,7 @@ impl Recorder {
         // All have their first frame; only now does anything old go.
         live.take_place()?;
         trajectory.take_place()?;
+        remove_if_there(&path(failure::FILE))?; // of a former run
         match energy {
             Some(energy) => energy.take_place()?,
             None => remove_if_there(&path("energy.csv"))?, // of a former run

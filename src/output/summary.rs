@@ -46,6 +46,10 @@ pub struct Summary {
     pub state_hash: String,
     /// Whether the run was stopped before its end.
     pub interrupted: bool,
+    /// What went wrong, if something did: not-finite, crossed, beyond-wall or energy-grown.
+    pub went_wrong: Option<&'static str>,
+    /// The first step after which it was so.
+    pub went_wrong_at_step: Option<u64>,
 }
 
 impl Summary {
@@ -58,7 +62,12 @@ impl Summary {
     /// Writes the summary for a person. `remark` is put after the largest overlap.
     pub fn write_text(&self, out: &mut impl Write, remark: Option<&str>) -> io::Result<()> {
         let Self { seed, n, preset, integrator, dt_s, steps, time_s, wall_s, .. } = self;
-        let stopped = if self.interrupted { ", interrupted" } else { "" };
+        let stopped = match (self.interrupted, self.went_wrong_at_step) {
+            (true, _) => ", interrupted".to_owned(),
+            (_, Some(step)) if step > *steps => ", stopped: it went wrong".to_owned(),
+            (_, Some(step)) => format!(", wrong from step {step} on"),
+            _ => String::new(),
+        };
         let speed = 1e-6 * self.particle_steps_per_s;
         let (start, end) = (self.energy_start_J, self.energy_end_J);
         let dissipated = self.dissipated_J.map(|d| format!(", {d:.6e} J dissipated"));

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::refusal::Refusal;
+use super::finding::Finding;
 use crate::placement::PlacementError;
 
 /// Why a scenario cannot be run. Nothing has been written when this is returned.
@@ -71,6 +71,8 @@ pub enum ScenarioError {
     /// Discs that overlap too much at the start.
     #[error("{what} at the start\n  way out: {way_out}")]
     BadOverlap {
+        /// The discs at fault.
+        who: String,
         /// Who overlaps whom, and by how much.
         what: String,
         /// What to do.
@@ -78,10 +80,28 @@ pub enum ScenarioError {
     },
     /// A time step above the stable limit.
     #[error("{0}")]
-    Unstable(Refusal),
+    Unstable(Box<Finding>),
 }
 
 impl ScenarioError {
+    /// What is at fault: a flag, or the table and key of a scenario file, or the file.
+    pub fn fault(&self) -> String {
+        match self {
+            // A key of its own is a flag too; `disc 0: radius` is not.
+            Self::OutOfRange { field, .. } if !field.contains([' ', ':']) => {
+                format!("--{}", field.replace('_', "-"))
+            }
+            Self::OutOfRange { field, .. } => field.clone(),
+            Self::Conflict { other, .. } => other.clone(),
+            Self::Unreadable { path, .. } => path.display().to_string(),
+            Self::Malformed { path, line, .. } => format!("{}, line {line}", path.display()),
+            Self::BadStart { .. } => "--start".to_owned(),
+            Self::BoxTooFull { .. } => "-n".to_owned(),
+            Self::BadOverlap { who, .. } => who.clone(),
+            Self::Unstable(finding) => finding.fault.clone(),
+        }
+    }
+
     /// An [`OutOfRange`](Self::OutOfRange) from anything printable.
     pub fn out_of_range(
         field: impl Into<String>,

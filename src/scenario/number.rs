@@ -22,3 +22,10 @@ impl fmt::Display for Num {
         }
     }
 }
+
+/// `value` and at least 3 % more, rounded up to two digits: a number to type.
+pub(super) fn round_up(value: f64) -> f64 {
+    let digit = 10f64.powi((1.03 * value).log10().floor() as i32 - 1);
+    // A second rounding: 21 * 100 is exact, 0.21e-3 / 1e-4 is not.
+    format!("{:.1e}", (1.03 * value / digit - 1e-9).ceil() * digit).parse().unwrap_or(value)
+}

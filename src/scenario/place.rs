@@ -116,7 +116,11 @@ impl Scenario {
                 (_, Some(_)) => "move the discs apart, or give them a smaller radius",
                 (_, None) => "put it inside, between 0 and the side, or use a larger --side",
             };
-            return Err(ScenarioError::BadOverlap { what, way_out: way_out.to_owned() });
+            let who = match other {
+                Some(other) => format!("discs {disc} and {other}: position"),
+                None => format!("disc {disc}: position"),
+            };
+            return Err(ScenarioError::BadOverlap { who, what, way_out: way_out.to_owned() });
         }
         Ok(())
     }

@@ -55,7 +55,7 @@ impl Scenario {
     /// The time step must be stable, unless asked otherwise.
     fn check_step(&self) -> Result<(), ScenarioError> {
         if let (false, Some(refusal)) = (self.allow_unstable, self.refusal()) {
-            return Err(ScenarioError::Unstable(refusal));
+            return Err(ScenarioError::Unstable(Box::new(refusal)));
         }
         self.check_clock()
     }

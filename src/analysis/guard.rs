@@ -1,0 +1,238 @@
+//! The guard of a run: notices when it has gone wrong, and finds the step at which it did.
+//!
+//! It looks every [`EVERY`] steps, which costs little, and keeps a state from time to time. Once
+//! something is wrong it goes back to the last state kept and looks after every single step.
+
+use glam::DVec2;
+
+use super::energy::MechanicalEnergy;
+use crate::neighbours::Neighbours;
+use crate::particle::{Contact, Particle};
+use crate::simulation::{Simulation, State};
+use crate::work::sum_over;
+
+/// Steps between two looks.
+pub const EVERY: u64 = 64;
+
+/// Looks between two states kept.
+const LOOKS_PER_STATE: u64 = 16;
+
+/// Two discs overlap by so many of the smaller radius: their centres coincide, or the smaller disc
+/// lies wholly inside the larger.
+pub const CROSSED: f64 = 2.0;
+
+/// A disc overlaps a wall by so many radii: its centre is four radii beyond.
+pub const BEYOND: f64 = 5.0;
+
+/// The energy, with or without what damping took, has grown by this fraction of what could have moved
+/// the discs at the start.
+pub const GROWTH: f64 = 1.0;
+
+/// In what way a run has gone wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wrong {
+    /// A number is infinite or none at all.
+    NotFinite,
+    /// Two discs overlap by [`CROSSED`] radii or more.
+    Crossed,
+    /// A disc overlaps a wall by more than [`BEYOND`] radii.
+    BeyondWall,
+    /// The energy has grown by more than [`GROWTH`].
+    EnergyGrown,
+}
+
+/// What went wrong, when, and with whom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trouble {
+    /// In what way.
+    pub wrong: Wrong,
+    /// The first step after which it was so.
+    pub step: u64,
+    /// Its time, s.
+    pub time: f64,
+    /// Ids of the discs in question: two that crossed, the one beyond the wall, or the fastest.
+    pub discs: Vec<usize>,
+    /// The wall in question: left, right, lower or upper.
+    pub wall: Option<&'static str>,
+    /// The deepest overlap of that disc or pair over the (smaller) radius.
+    pub overlap: f64,
+    /// Speed of the first of `discs`, m/s.
+    pub speed: f64,
+    /// Mechanical energy at the start, J.
+    pub energy_at_start: f64,
+    /// The same a step before, J.
+    pub energy_before: f64,
+    /// The same after that step, J.
+    pub energy_after: f64,
+    /// What damping took until then, J, if there is a ledger; less than nothing where it gives.
+    pub dissipated: Option<f64>,
+}
+
+/// Watches one run.
+pub struct Guard {
+    side: Option<f64>,    // m, of the box, if it has walls
+    energy_at_start: f64, // J
+    movable: f64,         // J, what could move the discs at the start
+    kept: State,
+    looks: u64,
+}
+
+impl Guard {
+    /// A guard of `simulation` from now on; `side` (m) of its box, if it has walls.
+    pub fn new(simulation: &Simulation, side: Option<f64>) -> Self {
+        let energy = MechanicalEnergy::of(simulation);
+        let height = height_to_fall(simulation, side);
+        Self {
+            side,
+            energy_at_start: energy.total(),
+            movable: energy.kinetic + energy.elastic + height,
+            kept: simulation.state(),
+            looks: 0,
+        }
+    }
+
+    /// The step at which to look next.
+    pub fn next_look(&self, simulation: &Simulation) -> u64 {
+        (simulation.steps() / EVERY + 1) * EVERY
+    }
+
+    /// Looks. If something is wrong, goes back with `simulation` to the last good step, the one before
+    /// the trouble began.
+    pub fn look(&mut self, simulation: &mut Simulation) -> Option<Trouble> {
+        let Some(wrong) = self.wrong(simulation) else {
+            self.looks += 1;
+            if self.looks % LOOKS_PER_STATE == 0 {
+                self.kept = simulation.state();
+            }
+            return None;
+        };
+        Some(self.first_trouble(simulation, wrong))
+    }
+
+    /// Steps from the last state kept until something is wrong; what was seen `at_last` holds if a
+    /// force that remembers more than the state does not come by it again.
+    fn first_trouble(&self, simulation: &mut Simulation, at_last: Wrong) -> Trouble {
+        let seen_at = simulation.steps();
+        simulation.set_state(&self.kept);
+        loop {
+            let before = simulation.state();
+            let energy_before = MechanicalEnergy::of(simulation).total();
+            simulation.step();
+            let is_last = simulation.steps() >= seen_at;
+            if let Some(wrong) = self.wrong(simulation).or(is_last.then_some(at_last)) {
+                let trouble = self.trouble(wrong, simulation, energy_before);
+                simulation.set_state(&before);
+                return trouble;
+            }
+        }
+    }
+
+    fn wrong(&self, simulation: &Simulation) -> Option<Wrong> {
+        let mechanical = MechanicalEnergy::of(simulation).total();
+        let total = mechanical + dissipated(simulation).unwrap_or(0.0);
+        let most = self.energy_at_start + GROWTH * self.movable;
+        if !mechanical.is_finite() || !total.is_finite() {
+            Some(Wrong::NotFinite)
+        } else if simulation.largest_pair_overlap() >= CROSSED {
+            Some(Wrong::Crossed)
+        } else if simulation.largest_wall_overlap() > BEYOND {
+            Some(Wrong::BeyondWall)
+        } else if mechanical.max(total) > most {
+            Some(Wrong::EnergyGrown)
+        } else {
+            None
+        }
+    }
+
+    fn trouble(&self, wrong: Wrong, simulation: &Simulation, energy_before: f64) -> Trouble {
+        let particles = simulation.particles();
+        let (discs, wall, overlap) = match wrong {
+            Wrong::Crossed => deepest_pair(particles),
+            Wrong::BeyondWall => self.deepest_at_wall(particles),
+            Wrong::NotFinite | Wrong::EnergyGrown => {
+                let disc = fastest(particles);
+                let (at_wall, wall, overlap) = self.deepest_at_wall(&particles[disc..=disc]);
+                let wall = wall.filter(|_| !at_wall.is_empty() && overlap > 0.0);
+                (vec![disc], wall, overlap.max(0.0))
+            }
+        };
+        let first = discs.first().map_or(f64::NAN, |&id| particles[id].velocity.length());
+        Trouble {
+            wrong,
+            step: simulation.steps(),
+            time: simulation.time(),
+            discs,
+            wall,
+            overlap,
+            speed: first,
+            energy_at_start: self.energy_at_start,
+            energy_before,
+            energy_after: MechanicalEnergy::of(simulation).total(),
+            dissipated: dissipated(simulation),
+        }
+    }
+
+    fn deepest_at_wall(&self, discs: &[Particle]) -> (Vec<usize>, Option<&'static str>, f64) {
+        let Some(side) = self.side else {
+            return (Vec::new(), None, 0.0);
+        };
+        let mut deepest = (Vec::new(), None, 0.0);
+        for (id, disc) in discs.iter().enumerate() {
+            let DVec2 { x, y } = disc.position;
+            let walls = [("left", x), ("right", side - x), ("lower", y), ("upper", side - y)];
+            for (wall, distance) in walls {
+                let overlap = 1.0 - distance / disc.radius;
+                if overlap > deepest.2 {
+                    deepest = (vec![id], Some(wall), overlap);
+                }
+            }
+        }
+        deepest
+    }
+}
+
+/// What the dashpots took, J, where a ledger is kept.
+fn dissipated(simulation: &Simulation) -> Option<f64> {
+    simulation.works().map(|works| 0.0 - works.dashpot.value())
+}
+
+/// What gravity can give the discs until the wall ends their fall, J; without walls nothing is
+/// known of that.
+fn height_to_fall(simulation: &Simulation, side: Option<f64>) -> f64 {
+    let (gravity, side) = (simulation.gravity(), side.unwrap_or(0.0));
+    let along = |g: f64, x: f64| g.abs() * if g > 0.0 { side - x } else { x };
+    let of_disc = |disc: &Particle| {
+        disc.mass * (along(gravity.x, disc.position.x) + along(gravity.y, disc.position.y))
+    };
+    if side > 0.0 { sum_over(simulation.particles(), of_disc).max(0.0) } else { 0.0 }
+}
+
+/// The fastest disc; one whose speed is no number comes first.
+fn fastest(particles: &[Particle]) -> usize {
+    let speed = |disc: &Particle| disc.velocity.length_squared();
+    let sick =
+        particles.iter().position(|disc| !disc.position.is_finite() || !speed(disc).is_finite());
+    let fastest = || {
+        let by_speed = |&a: &usize, &b: &usize| {
+            speed(&particles[a]).total_cmp(&speed(&particles[b])).then(b.cmp(&a))
+        };
+        (0..particles.len()).max_by(by_speed).unwrap_or(0)
+    };
+    sick.unwrap_or_else(fastest)
+}
+
+fn deepest_pair(particles: &[Particle]) -> (Vec<usize>, Option<&'static str>, f64) {
+    let mut neighbours = Neighbours::default();
+    neighbours.refresh(particles);
+    let mut deepest = (Vec::new(), None, 0.0);
+    for (i, j) in neighbours.pairs() {
+        let (a, b) = (&particles[i], &particles[j]);
+        if let Some(contact) = Contact::between(a, b) {
+            let overlap = contact.overlap / a.radius.min(b.radius);
+            if overlap > deepest.2 {
+                deepest = (vec![i, j], None, overlap);
+            }
+        }
+    }
+    deepest
+}

@@ -1,0 +1,118 @@
+//! `parsim2d check`: the diagnosis of a scenario, without running it.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Failure;
+use super::run::{RunArguments, scenario};
+use crate::scenario::diagnosis::{CAVEAT, Diagnosis};
+use crate::scenario::finding::Verdict;
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  parsim2d check                           the guide's run
+  parsim2d check --eta 1.5e3               why this one is refused
+  parsim2d check -n 1000 --nt 10 --json    for a script: keys verdict, fault, ways_out
+  parsim2d check examples/settling.toml
+
+Exit codes: 0 good or coarse, 2 unstable, or refused for another reason.";
+
+/// Prints the diagnosis. What cannot be run for another reason than its time step is an error, which
+/// `--json` puts into the same keys.
+pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
+    let mut lenient = arguments.clone();
+    lenient.settings.allow_unstable = Some(true);
+    let json = arguments.settings.json.unwrap_or(false);
+    let diagnosis = scenario(&lenient).and_then(|(scenario, _)| {
+        let diagnosis = scenario.diagnosis();
+        if diagnosis.verdict != Verdict::Unstable {
+            scenario.build()?; // places the discs
+        }
+        Ok(diagnosis)
+    });
+    let mut out = io::stdout().lock();
+    match diagnosis {
+        Ok(diagnosis) => {
+            match json {
+                true => {
+                    serde_json::to_writer(&mut out, &diagnosis).map_err(io::Error::from)?;
+                    writeln!(out)?;
+                }
+                false => write_text(&mut out, &diagnosis)?,
+            }
+            let is_unstable = diagnosis.verdict == Verdict::Unstable;
+            Ok(ExitCode::from(if is_unstable { 2 } else { 0 }))
+        }
+        Err(Failure::Scenario(error)) if json => {
+            let refused = json!({
+                "verdict": "refused",
+                "fault": error.fault(),
+                "sentence": error.to_string(),
+            });
+            writeln!(out, "{refused}")?;
+            Ok(ExitCode::from(2))
+        }
+        Err(failure) => Err(failure),
+    }
+}
+
+fn write_text(out: &mut impl Write, diagnosis: &Diagnosis) -> io::Result<()> {
+    let Diagnosis { dt_s, speed_m_s, contact_end, .. } = diagnosis;
+    writeln!(out, "{:<40} {:>11} {:>11}", "contact", "two discs", "wall")?;
+    for figure in &diagnosis.figures {
+        let [pair, wall] = [figure.pair, figure.wall].map(cell);
+        let verdict = figure.verdict.map(|v| format!("   {v}")).unwrap_or_default();
+        writeln!(out, "{:<40} {pair:>11} {wall:>11}{verdict}", figure.name)?;
+    }
+    writeln!(out, "a contact ends at {contact_end}; \"a fall\" is one at {speed_m_s:.3} m/s\n")?;
+
+    let step = format!("largest time step, s (dt = {dt_s:.3e})");
+    writeln!(out, "{step:<40} {:>11} {:>11}", "limit", "dt/limit")?;
+    for limit in &diagnosis.limits {
+        let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
+        writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, limit.verdict)?;
+    }
+    writeln!(out, "{}\n", wrapped(CAVEAT))?;
+
+    writeln!(out, "{}: {}", diagnosis.verdict, diagnosis.sentence)?;
+    for more in diagnosis.findings.iter().skip(1) {
+        writeln!(out, "also {}: {}", more.verdict, more.sentence())?;
+    }
+    if diagnosis.verdict == Verdict::Unstable {
+        writeln!(out, "`run` refuses this; --allow-unstable runs it anyway, for the lesson")?;
+    }
+    Ok(())
+}
+
+/// A number in four digits, or a dash.
+fn cell(value: Option<f64>) -> String {
+    match value {
+        None => "-".to_owned(),
+        Some(value) if value.is_infinite() => "never ends".to_owned(),
+        Some(0.0) => "0".to_owned(),
+        Some(value) if (1e-2..1e5).contains(&value.abs()) => {
+            let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 5) as usize;
+            format!("{value:.digits$}")
+        }
+        Some(value) => format!("{value:.3e}"),
+    }
+}
+
+/// `text` in lines of at most 80 characters.
+fn wrapped(text: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let line = lines.last_mut().expect("never empty");
+        if line.len() + word.len() >= 80 {
+            lines.push(word.to_owned());
+        } else {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,77 @@
+//! A run on its way: steps, files that are due, the guard, the wall clock.
+
+use super::Failure;
+use super::watch::Watch;
+use crate::analysis::guard::Guard;
+use crate::output::failure::FailureReport;
+use crate::output::recorder::Recorder;
+use crate::scenario::Scenario;
+use crate::simulation::Simulation;
+
+/// Everything that a run needs while it is under way.
+pub(super) struct Stepping<'a> {
+    scenario: &'a Scenario,
+    pub simulation: Simulation,
+    pub watch: Watch,
+    /// What went wrong, if something did.
+    pub failure: Option<FailureReport>,
+    recorder: Recorder,
+    guard: Guard,
+}
+
+impl<'a> Stepping<'a> {
+    /// A run of `scenario` about to begin, with its files created.
+    pub fn begin(scenario: &'a Scenario, simulation: Simulation, recorder: Recorder) -> Self {
+        let output = &scenario.output;
+        let watch = Watch::start(&simulation, scenario.steps(), output.slowdown, output.quiet);
+        let guard = Guard::new(&simulation, scenario.walls.then_some(scenario.side));
+        Self { scenario, simulation, watch, failure: None, recorder, guard }
+    }
+
+    /// Steps to the end, or until `stop` says so or something goes wrong; every file then has the
+    /// last good state.
+    pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {
+        let end = self.scenario.steps();
+        while self.simulation.steps() < end && !stop() {
+            let due = self.recorder.next_due().min(self.guard.next_look(&self.simulation));
+            let until = due.min(self.watch.next_look(&self.simulation)).min(end);
+            self.watch.step_until(&mut self.simulation, until);
+            if self.failure.is_none() && until == due.min(end) {
+                self.look()?;
+                if self.is_stopped() {
+                    break;
+                }
+            }
+            self.recorder.record_due(&self.simulation)?;
+            if self.scenario.output.every.is_none() {
+                self.watch.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
+            }
+            self.watch.keep_pace(&self.simulation, stop);
+        }
+        self.recorder.finish(&self.simulation)?;
+        self.watch.finish();
+        Ok(())
+    }
+
+    /// Whether something went wrong and the run was ended by it.
+    pub fn is_stopped(&self) -> bool {
+        self.failure.as_ref().is_some_and(|failure| failure.stopped)
+    }
+
+    /// Lets the guard look. What it finds is written at once; if the run is to go on all the same,
+    /// it comes back to where it was.
+    fn look(&mut self) -> Result<(), Failure> {
+        let seen_at = self.simulation.steps();
+        let Some(trouble) = self.guard.look(&mut self.simulation) else {
+            return Ok(());
+        };
+        let goes_on = self.scenario.allow_unstable;
+        let report = self.scenario.post_mortem(&trouble, !goes_on);
+        report.write(&self.scenario.output.folder)?;
+        self.failure = Some(report);
+        if goes_on {
+            self.watch.step_until(&mut self.simulation, seen_at);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,106 @@
+//! The post-mortem of a run that went wrong: what happened, and the parameter that explains it.
+
+use super::Scenario;
+use super::finding::{Finding, Matter, Verdict};
+use super::number::{Num, round_up};
+use crate::analysis::guard::{Trouble, Wrong};
+use crate::output::failure::FailureReport;
+use crate::simulation::time_step;
+
+impl Scenario {
+    /// What is to be said of `trouble` in a run of this scenario, `stopped` by it or not.
+    pub fn post_mortem(&self, trouble: &Trouble, stopped: bool) -> FailureReport {
+        let cause = self.cause_of(trouble);
+        let (diagnosis, ways_out) = match &cause {
+            Some(finding) => (finding.what.clone(), finding.ways_out.clone()),
+            None => self.without_cause(trouble),
+        };
+        FailureReport {
+            version: env!("CARGO_PKG_VERSION"),
+            seed: self.seed,
+            kind: kind(trouble.wrong),
+            what: what(trouble),
+            step: trouble.step,
+            time_s: trouble.time,
+            discs: trouble.discs.clone(),
+            wall: trouble.wall,
+            overlap_over_r: trouble.overlap,
+            speed_m_per_s: trouble.speed,
+            energy_start_J: trouble.energy_at_start,
+            energy_before_J: trouble.energy_before,
+            energy_after_J: trouble.energy_after,
+            dissipated_J: trouble.dissipated,
+            fault: cause.as_ref().map(|finding| finding.fault.clone()),
+            value: cause.as_ref().map(|finding| finding.value.clone()),
+            diagnosis,
+            ways_out,
+            stopped,
+        }
+    }
+
+    /// The finding that explains the trouble: what makes a run unstable explains everything; soft
+    /// discs explain deep overlaps, and energy that grows comes from the integrator or the step.
+    fn cause_of(&self, trouble: &Trouble) -> Option<Finding> {
+        let findings = self.findings();
+        let of = |matter| findings.iter().find(|finding| finding.matter == matter);
+        let order = match trouble.wrong {
+            Wrong::Crossed | Wrong::BeyondWall => {
+                [Matter::Integrator, Matter::Softness, Matter::Travel, Matter::Step]
+            }
+            Wrong::NotFinite | Wrong::EnergyGrown => {
+                [Matter::Integrator, Matter::Step, Matter::Travel, Matter::Softness]
+            }
+        };
+        let unstable = findings.iter().find(|finding| finding.verdict == Verdict::Unstable);
+        unstable.or_else(|| order.into_iter().find_map(of)).cloned()
+    }
+
+    /// What to say where the diagnosis had nothing against the run: a finer step may help.
+    fn without_cause(&self, trouble: &Trouble) -> (String, Vec<String>) {
+        let nt = time_step(self.mass_range().0, self.stiffness, 1.0) / self.dt();
+        let travel = trouble.speed * self.dt() / self.radius_range().0;
+        let sentence = format!(
+            "the diagnosis found nothing against this run beforehand (`parsim2d check`); the disc \
+             moved {} r in a step",
+            Num::rounded(travel)
+        );
+        (
+            sentence,
+            vec![format!("--nt {} to see whether a finer step helps", Num(round_up(4.0 * nt)))],
+        )
+    }
+}
+
+fn kind(wrong: Wrong) -> &'static str {
+    match wrong {
+        Wrong::NotFinite => "not-finite",
+        Wrong::Crossed => "crossed",
+        Wrong::BeyondWall => "beyond-wall",
+        Wrong::EnergyGrown => "energy-grown",
+    }
+}
+
+fn what(trouble: &Trouble) -> String {
+    let id = |k: usize| trouble.discs.get(k).map_or("?".to_owned(), usize::to_string);
+    let overlap = Num::rounded(trouble.overlap);
+    let at_wall = trouble.wall.map(|wall| format!(", {overlap} r deep in the {wall} wall"));
+    match trouble.wrong {
+        Wrong::NotFinite => format!("the state of disc {} is not finite any more", id(0)),
+        Wrong::Crossed => {
+            format!("the centres of discs {} and {} met: overlap {overlap} r", id(0), id(1))
+        }
+        Wrong::BeyondWall => format!(
+            "disc {} sank {overlap} r into the {} wall, its centre {} r beyond",
+            id(0),
+            trouble.wall.unwrap_or("?"),
+            Num::rounded(trouble.overlap - 1.0)
+        ),
+        Wrong::EnergyGrown => format!(
+            "the energy has grown by more than all that could move the discs at the start; the \
+             fastest, disc {}, has {} m/s{}",
+            id(0),
+            Num::rounded(trouble.speed),
+            at_wall.unwrap_or_default()
+        ),
+    }
+}
