@@ -109,17 +109,21 @@ impl Guard {
         Some(self.first_trouble(simulation, wrong))
     }
 
-    /// Steps from the last state kept until something is wrong; what was seen `at_last` holds if a
-    /// force that remembers more than the state does not come by it again.
+    /// Steps from the last state kept until something is wrong. A change from outside, or a force
+    /// that remembers more than the state, may not come by it again: then what was seen holds.
     fn first_trouble(&self, simulation: &mut Simulation, at_last: Wrong) -> Trouble {
-        let seen_at = simulation.steps();
+        let seen = simulation.state();
         simulation.set_state(&self.kept);
         loop {
             let before = simulation.state();
             let energy_before = MechanicalEnergy::of(simulation).total();
             simulation.step();
-            let is_last = simulation.steps() >= seen_at;
-            if let Some(wrong) = self.wrong(simulation).or(is_last.then_some(at_last)) {
+            let mut wrong = self.wrong(simulation);
+            if wrong.is_none() && simulation.steps() >= seen.steps() {
+                simulation.set_state(&seen);
+                wrong = Some(at_last);
+            }
+            if let Some(wrong) = wrong {
                 let trouble = self.trouble(wrong, simulation, energy_before);
                 simulation.set_state(&before);
                 return trouble;
