@@ -29,5 +29,5 @@ bench: $(EXEC)          # how fast is this machine? writes bench/<machine>/<date
 	sh bench/run.sh ./$(EXEC)
 
 clean:                  # what runs, plots and builds wrote
-	rm -f $(EXEC) out.txt trajectory.txt energy.csv *.tmp replay.gif energy.png velocity.png
+	rm -f $(EXEC) out.txt trajectory.txt energy.csv last-run.toml failure.json *.tmp replay.gif energy.png velocity.png
 	$(CARGO) clean

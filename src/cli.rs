@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand.
 
 mod check;
+mod doctor;
 mod interrupt;
 mod presets;
 mod run;
@@ -30,6 +31,7 @@ pub fn run() -> ExitCode {
         None => run::run(&cli.run),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Check(arguments)) => check::check(&arguments),
+        Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
         Some(Command::Presets) => presets::print(),
     };
     match done {
@@ -80,6 +82,8 @@ enum Command {
     Check(Box<run::RunArguments>),
     /// List the presets and their numbers
     Presets,
+    /// Say which optional programs are there, and what each is good for
+    Doctor(doctor::DoctorArguments),
 }
 
 /// Why a command did not do its work.

@@ -9,6 +9,7 @@ pub mod failure;
 pub mod frames;
 pub mod live;
 pub mod number;
+pub mod record;
 pub mod recorder;
 pub mod replace;
 pub mod summary;

@@ -285,6 +285,7 @@ impl Scenario {
             energy_every: output.energy_every.unwrap_or_else(|| energy::default_every(steps)),
             side: self.side,
             border: output.border.then_some(self.radius),
+            record: self.record(),
         }
     }
 

@@ -136,7 +136,7 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
         (&["no_such.toml"], "cannot read the scenario no_such.toml"),
         (
             &["preset"],
-            "neither a subcommand (run, check, presets) nor a scenario file; did you mean `presets`?",
+            "neither a subcommand (run, check, presets, doctor) nor a scenario file; did you mean `presets`?",
         ),
         (&["--slowdown", "0"], "slowdown = 0 is not possible"),
         (&["--every", "0"], "every = 0 is not possible"),
@@ -285,6 +285,32 @@ fn help_names_units_and_defaults() {
 }
 
 #[test]
+fn doctor_finds_what_is_on_the_path_and_says_what_is_missing() {
+    let empty = tempfile::tempdir().unwrap();
+    let doctor = |path: &std::path::Path| {
+        let mut command = Command::cargo_bin("parsim2d").unwrap();
+        let output = command.current_dir(&empty).env("PATH", path).arg("doctor").output().unwrap();
+        assert!(output.status.success());
+        text(&output.stdout)
+    };
+    let without = doctor(empty.path());
+    for name in ["gnuplot", "ffmpeg", "bwrap"] {
+        assert!(without.lines().any(|line| line.starts_with(name) && line.ends_with("not found")));
+    }
+    assert_eq!(fs::read_dir(&empty).unwrap().count(), 0, "the trial file is gone");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let tools = tempfile::tempdir().unwrap();
+        let gnuplot = tools.path().join("gnuplot");
+        fs::write(&gnuplot, "#!/bin/sh\necho gnuplot 9.9 patchlevel 0\n").unwrap();
+        fs::set_permissions(&gnuplot, fs::Permissions::from_mode(0o755)).unwrap();
+        let with = doctor(tools.path());
+        assert!(with.contains("gnuplot  gnuplot 9.9 patchlevel 0, "), "{with}");
+    }
+}
+
+#[test]
 fn presets_are_listed_with_their_numbers() {
     let (output, _folder) = outcome(&["presets"]);
     let list = text(&output.stdout);
@@ -397,7 +423,8 @@ mod signals {
             let energy = read("energy.csv");
             assert!(energy.lines().last().unwrap().starts_with(&format!("{step},")), "{energy}");
             assert!(energy.ends_with('\n'));
-            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+            assert!(read("last-run.toml").contains("# result: interrupted = true"));
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
         }
     }
 
@@ -416,7 +443,7 @@ mod signals {
         assert_eq!(summary["interrupted"], true);
         let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
         assert!(out.starts_with(&format!("# step {} ", summary["steps"])), "{out}");
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
     }
 
     #[test]
@@ -442,7 +469,8 @@ mod signals {
             let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
             let kept = out == "precious";
             assert!(kept || out.lines().count() == 200_001, "{delay} ms: {}", out.lines().count());
-            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3, "{delay} ms");
+            let files = if kept { 3 } else { 4 };
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), files, "{delay} ms");
         }
     }
 

@@ -68,5 +68,5 @@ fn sessions_are_what_the_program_prints() {
         assert_eq!(steady(&printed), steady(shown), "{command}");
         seen += 1;
     }
-    assert_eq!(seen, 2);
+    assert_eq!(seen, 4);
 }

@@ -47,7 +47,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let mut stepping = Stepping::begin(&scenario, simulation, recorder);
     stepping.go(|| interrupt.is_raised())?;
 
-    match report(&scenario, &summary(&scenario, &stepping, start)) {
+    let summary = summary(&scenario, &stepping, start);
+    stepping.record_results(&summary.results())?;
+    match report(&scenario, &summary) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
         done => done?,
     }
@@ -101,6 +103,8 @@ fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
     let n = simulation.particles().len();
     let particle_steps = n as f64 * simulation.steps() as f64;
     let (lightest, _) = scenario.mass_range();
+    let end = MechanicalEnergy::of(simulation).total();
+    let dissipated = simulation.works().map(|works| 0.0 - works.dashpot.value());
     Summary {
         version: env!("CARGO_PKG_VERSION"),
         seed: scenario.seed,
@@ -116,8 +120,9 @@ fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
         threads: 1,
         particle_steps_per_s: particle_steps / watch.stepping_time().max(1e-9),
         energy_start_J: start,
-        energy_end_J: MechanicalEnergy::of(simulation).total(),
-        dissipated_J: simulation.works().map(|works| 0.0 - works.dashpot.value()),
+        energy_end_J: end,
+        dissipated_J: dissipated,
+        energy_error_J: dissipated.map(|dissipated| end + dissipated - start),
         max_overlap_over_r: simulation.largest_overlap(),
         state_hash: format!("{:016x}", simulation.state_hash()),
         interrupted: simulation.steps() < scenario.steps() && !stepping.is_stopped(),

@@ -53,6 +53,11 @@ impl<'a> Stepping<'a> {
         Ok(())
     }
 
+    /// Leaves `results` beside the scenario in the output folder.
+    pub fn record_results(&self, results: &[String]) -> Result<(), Failure> {
+        Ok(self.recorder.record_results(results)?)
+    }
+
     /// Whether something went wrong and the run was ended by it.
     pub fn is_stopped(&self) -> bool {
         self.failure.as_ref().is_some_and(|failure| failure.stopped)

@@ -8,6 +8,7 @@ use super::checkpoint::refuse_foreign;
 use super::energy::EnergyFile;
 use super::failure;
 use super::live::LiveFrame;
+use super::record;
 use super::replace::NewFile;
 use super::trajectory::Trajectory;
 use crate::analysis::energy::EnergyLedger;
@@ -28,6 +29,8 @@ pub struct OutputPlan {
     pub side: f64,
     /// Radius of the border discs of `out.txt`, m, if they are wanted.
     pub border: Option<f64>,
+    /// The scenario of the run, for `last-run.toml`.
+    pub record: String,
 }
 
 /// The files of a run.
@@ -53,6 +56,8 @@ impl Recorder {
         let new = |name: &str| NewFile::create(&folder.join(name));
         let (live, trajectory) = (new("out.txt")?, new("trajectory.txt")?);
         let energy = if plan.energy_every > 0 { Some(new("energy.csv")?) } else { None };
+        let mut record = new(record::FILE)?;
+        record.write(plan.record.as_bytes())?;
 
         let path = |name: &str| folder.join(name);
         let energy_file = match &energy {
@@ -75,6 +80,7 @@ impl Recorder {
         // All have their first frame; only now does anything old go.
         live.take_place()?;
         trajectory.take_place()?;
+        record.take_place()?;
         remove_if_there(&path(failure::FILE))?; // of a former run
         match energy {
             Some(energy) => energy.take_place()?,
@@ -122,6 +128,11 @@ impl Recorder {
         }
         self.flush_energy()?;
         self.live.refresh(simulation)
+    }
+
+    /// Adds what came out of the run to `last-run.toml`, as comments.
+    pub fn record_results(&self, results: &[String]) -> Result<(), OutputError> {
+        record::write(&self.plan.folder, &self.plan.record, results)
     }
 
     fn write_start(&mut self, live: &NewFile, simulation: &Simulation) -> Result<(), OutputError> {

@@ -33,6 +33,12 @@ impl NewFile {
             .map_err(|source| OutputError::Create { path: self.path.clone(), source })
     }
 
+    /// Writes `text` into the file.
+    pub fn write(&mut self, text: &[u8]) -> Result<(), OutputError> {
+        let failed = |source| OutputError::Write { path: self.path.clone(), source };
+        io::Write::write_all(&mut self.file, text).map_err(failed)
+    }
+
     /// Gives the file its name; handles stay good for writing.
     pub fn take_place(mut self) -> Result<(), OutputError> {
         self.is_in_place = rename(&self.path)

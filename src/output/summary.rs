@@ -40,6 +40,9 @@ pub struct Summary {
     pub energy_end_J: f64,
     /// Energy the dashpots took, J; absent without the ledger.
     pub dissipated_J: Option<f64>,
+    /// Change of the total, what the dashpots took included, J: the integration error. Absent without
+    /// the ledger.
+    pub energy_error_J: Option<f64>,
     /// Largest overlap of the run over the (smaller) radius.
     pub max_overlap_over_r: f64,
     /// Fingerprint of the final state, 16 hexadecimal digits.
@@ -53,6 +56,28 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// What came out of the run, without anything that depends on the machine: `NAME = VALUE`.
+    pub fn results(&self) -> Vec<String> {
+        let mut results = vec![
+            format!("version = {}", self.version),
+            format!("steps = {}", self.steps),
+            format!("time_s = {}", self.time_s),
+            format!("energy_start_J = {:e}", self.energy_start_J),
+            format!("energy_end_J = {:e}", self.energy_end_J),
+        ];
+        results.extend(self.dissipated_J.map(|took| format!("dissipated_J = {took:e}")));
+        results.extend(self.energy_error_J.map(|error| format!("energy_error_J = {error:e}")));
+        results.push(format!("max_overlap_over_r = {}", self.max_overlap_over_r));
+        results.push(format!("state_hash = {}", self.state_hash));
+        if let (Some(what), Some(step)) = (self.went_wrong, self.went_wrong_at_step) {
+            results.push(format!("went_wrong = {what} at step {step}"));
+        }
+        if self.interrupted {
+            results.push("interrupted = true".to_owned());
+        }
+        results
+    }
+
     /// Writes the summary as one JSON object on one line.
     pub fn write_json(&self, out: &mut impl Write) -> io::Result<()> {
         serde_json::to_writer(&mut *out, self)?;
@@ -77,6 +102,14 @@ impl Summary {
         writeln!(out, "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s")?;
         write!(out, "energy   {start:.6e} J at start, {end:.6e} J at end")?;
         writeln!(out, "{}", dissipated.unwrap_or_default())?;
+        if let Some(error) = self.energy_error_J.filter(|error| error.is_finite()) {
+            let percent = signed(100.0 * error / start.abs());
+            let share = if start == 0.0 { "" } else { &format!(", {percent} % of the start") };
+            writeln!(
+                out,
+                "error    the total changed by {error:+.2e} J{share} (integration error)"
+            )?;
+        }
         let overlap = self.max_overlap_over_r;
         let digits = if overlap < 1e6 { format!("{overlap:.3}") } else { format!("{overlap:.1e}") };
         write!(out, "overlap  at most {digits} r")?;
@@ -92,5 +125,13 @@ impl Summary {
             "auto" => format!("set by --dt auto, N_t = {nt:.3}"),
             _ => format!("Eq. (2), N_t = {nt} set by the preset"),
         }
+    }
+}
+
+/// `value` in three digits with its sign.
+fn signed(value: f64) -> String {
+    match value.abs() {
+        size if size == 0.0 || (1e-3..1e4).contains(&size) => format!("{value:+.3}"),
+        _ => format!("{value:+.2e}"),
     }
 }

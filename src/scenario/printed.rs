@@ -1,4 +1,4 @@
-//! A scenario written back as TOML: what `--print-config` prints.
+//! A scenario written back as TOML: what `--print-config` prints, and what a run leaves behind.
 
 use std::fmt::{self, Write};
 
@@ -10,6 +10,16 @@ impl Scenario {
         let mut text = String::new();
         self.write_toml(&mut text).expect("writing to a string does not fail");
         text
+    }
+
+    /// The same without what says only where and how fast the run wrote: the text of `last-run.toml`,
+    /// which depends on no path. Run it, and the files of the run come again.
+    pub fn record(&self) -> String {
+        let everything = self.to_toml();
+        let elsewhere = ["out_dir = ", "slowdown = ", "json = ", "quiet = "];
+        let is_kept = |line: &&str| !elsewhere.iter().any(|key| line.starts_with(key));
+        // Keys of the top level come first; nothing of a disc begins with these.
+        everything.lines().filter(is_kept).map(|line| format!("{line}\n")).collect()
     }
 
     fn write_toml(&self, out: &mut String) -> fmt::Result {

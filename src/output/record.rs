@@ -1,0 +1,27 @@
+//! `last-run.toml`: the scenario of the last run of a folder, to run again, and what came out of it.
+//!
+//! The results stand in comments, `# result: NAME = VALUE`, so that the file stays a scenario.
+
+use std::io::Write;
+use std::path::Path;
+
+use super::OutputError;
+use super::replace::replace;
+
+/// Its name in the output folder.
+pub const FILE: &str = "last-run.toml";
+
+const RESULT: &str = "# result: ";
+
+/// Writes the scenario `text` and `results`, each `NAME = VALUE`, into `folder`.
+pub fn write(folder: &Path, text: &str, results: &[String]) -> Result<(), OutputError> {
+    replace(&folder.join(FILE), |out| {
+        write!(out, "{text}")?;
+        results.iter().try_for_each(|result| writeln!(out, "{RESULT}{result}"))
+    })
+}
+
+/// The results in the text of such a file, as names and values; none if the run has not ended.
+pub fn results(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    text.lines().filter_map(|line| line.strip_prefix(RESULT)?.split_once(" = "))
+}
