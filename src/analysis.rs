@@ -1,6 +1,9 @@
-//! What can be read off a simulation or told beforehand: energies, closed forms, limits.
+//! What can be read off a simulation or told beforehand: energies, their drift, closed forms,
+//! limits.
 
 pub mod collision;
+pub mod drift;
 pub mod energy;
 pub mod guard;
+pub mod line;
 pub mod stability;

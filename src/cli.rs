@@ -2,6 +2,7 @@
 
 mod check;
 mod doctor;
+mod drift;
 mod interrupt;
 mod presets;
 mod run;
@@ -32,6 +33,7 @@ pub fn run() -> ExitCode {
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Check(arguments)) => check::check(&arguments),
         Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
+        Some(Command::Drift(arguments)) => drift::run(&arguments),
         Some(Command::Presets) => presets::print(),
     };
     match done {
@@ -80,6 +82,9 @@ enum Command {
     /// Say what is wrong with a scenario, by which parameter, and what would work; run nothing
     #[command(after_help = check::EXAMPLES)]
     Check(Box<run::RunArguments>),
+    /// Does the total energy stay constant? Measure it for each integrator and time step
+    #[command(after_help = drift::EXAMPLES)]
+    Drift(Box<drift::DriftArguments>),
     /// List the presets and their numbers
     Presets,
     /// Say which optional programs are there, and what each is good for

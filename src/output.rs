@@ -4,6 +4,7 @@
 //! but for *when* `out.txt` is refreshed.
 
 pub mod checkpoint;
+pub mod drift;
 pub mod energy;
 pub mod failure;
 pub mod frames;
@@ -41,6 +42,14 @@ pub enum OutputError {
         path: PathBuf,
         /// Its format, as far as it can be told.
         format: String,
+    },
+    /// A file of ours that does not hold what it should.
+    #[error("cannot read {}: {why}\n  way out: write it anew with the command that wrote it", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and in which line.
+        why: String,
     },
     /// During the run.
     #[error("writing {} failed: {source}\n  the run stops here; what was written before is kept", path.display())]

@@ -22,6 +22,7 @@ mod range;
 mod resolve;
 pub mod settings;
 mod start;
+pub mod study;
 mod suspects;
 
 use std::path::{Path, PathBuf};

@@ -134,10 +134,7 @@ fn bad_usage_ends_with_2_a_reason_and_nothing_written() {
         (&["--eta", "1.5e3"], "the parameter at fault: --eta = 1500"),
         (&["-n", "1000", "--radius", "5.6e-4"], "way out: --placement lattice"),
         (&["no_such.toml"], "cannot read the scenario no_such.toml"),
-        (
-            &["preset"],
-            "neither a subcommand (run, check, presets, doctor) nor a scenario file; did you mean `presets`?",
-        ),
+        (&["preset"], "nor a scenario file; did you mean `presets`?"),
         (&["--slowdown", "0"], "slowdown = 0 is not possible"),
         (&["--every", "0"], "every = 0 is not possible"),
         (&["--time", "-1"], "time = -1 is not possible"),

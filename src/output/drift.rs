@@ -1,0 +1,83 @@
+//! `drift.csv`, `drift_energy.csv` and `twin.csv`: what the drift study measured. Numbers have as
+//! many digits as bring the same number back.
+
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use super::OutputError;
+use super::recorder::make_folder;
+use super::replace::{NewFile, replace};
+
+/// One line of `drift.csv`: one run of the study. Errors are relative to the energy at the start.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(non_snake_case)] // a column's name ends with its unit
+pub struct DriftRow {
+    /// wall, pair, box or dense.
+    pub case: String,
+    /// Time integrator.
+    pub integrator: String,
+    /// Restitution e of every contact.
+    pub restitution: f64,
+    /// Steps in a wall contact, N_t of Eq. (2).
+    pub nt: f64,
+    /// Time step, s.
+    pub dt_s: f64,
+    /// Largest |E/E0 - 1|; of one contact, while it lasts.
+    pub largest_error: f64,
+    /// E/E0 - 1 at the end.
+    pub final_error: f64,
+    /// Energy that the dashpots took, J.
+    pub dissipated_J: f64,
+    /// Work residue of the ledger, J.
+    pub work_error_J: f64,
+}
+
+/// One line of `drift_energy.csv`: a point of a run's energy curve.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CurveRow {
+    /// box or dense.
+    pub case: String,
+    /// Time integrator.
+    pub integrator: String,
+    /// Restitution e of every contact.
+    pub restitution: f64,
+    /// Steps in a wall contact, N_t of Eq. (2).
+    pub nt: f64,
+    /// Simulated time, s.
+    pub time_s: f64,
+    /// E/E0 - 1.
+    pub error: f64,
+}
+
+/// One line of `twin.csv`: how far two runs are apart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TwinRow {
+    /// Simulated time, s.
+    pub time_s: f64,
+    /// Root mean square distance of a disc from its twin, m.
+    pub distance_m: f64,
+}
+
+/// Makes `folder` if need be, and tries whether files of these names can be written there: to be
+/// known before hours of work, not after. Leaves nothing behind.
+pub fn probe(folder: &Path, names: &[&str]) -> Result<(), OutputError> {
+    make_folder(folder)?;
+    names.iter().try_for_each(|name| NewFile::create(&folder.join(name)).map(drop))
+}
+
+/// Writes `rows` to `path`, under a header of the field names.
+pub fn write<R: Serialize>(path: &Path, rows: &[R]) -> Result<(), OutputError> {
+    replace(path, |out| {
+        let mut out = csv::Writer::from_writer(out);
+        rows.iter().try_for_each(|row| out.serialize(row))?;
+        out.flush()
+    })
+}
+
+/// Reads the rows that [`write`] wrote. A row that does not fit is told with its line.
+pub fn read<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, OutputError> {
+    let rows = csv::Reader::from_path(path).and_then(|mut rows| rows.deserialize().collect());
+    rows.map_err(|why| OutputError::Read { path: path.to_owned(), why: why.to_string() })
+}
