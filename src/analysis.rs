@@ -7,3 +7,4 @@ pub mod energy;
 pub mod guard;
 pub mod line;
 pub mod stability;
+pub mod twin;

@@ -2,6 +2,7 @@
 
 mod findings;
 mod table;
+mod twin;
 mod words;
 
 use std::io::{self, Write};
@@ -26,26 +27,31 @@ Examples:
   parsim2d drift                           the whole study, with the guide's numbers
   parsim2d drift --nt 10,25,50             other time steps
   parsim2d drift -n 300 --time 0.5s        another dense box, longer
+  parsim2d drift --twin                    how long can two correct programs be compared?
   parsim2d drift --json -q                 rows and key numbers as one JSON object
 
-Writes drift.csv (a line a run) and drift_energy.csv (the boxes' energy against time).";
+Writes drift.csv (a line a run) and drift_energy.csv (the boxes' energy against time);
+--twin writes twin.csv (the distance between two runs against time).";
 
 #[derive(Args)]
 pub(super) struct DriftArguments {
-    /// Discs of the dense box [default: 1000]
+    /// Run one box twice instead, the second time with the last bit of one number changed
+    #[arg(long)]
+    twin: bool,
+    /// Discs of the dense box [default: 1000; --twin: 20]
     #[arg(short = 'n', long = "n", value_name = "N", allow_hyphen_values = true)]
     #[arg(value_parser = whole_number)]
     n: Option<i64>,
     /// Seed of the discs' places [default: 1, so that two students compare]
     #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = whole_number)]
     seed: Option<i64>,
-    /// Steps in a wall contact, N_t of Eq. (2), from 4 to 1000 [default: 10,20,50,100]
+    /// Steps in a wall contact, N_t of Eq. (2), from 4 to 1000 [default: 10,20,50,100; --twin: 50]
     #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
     nt: Vec<Quantity<Number>>,
-    /// Simulated time of the boxes [default: 1, and 0.2 for the dense one]
+    /// Simulated time of the boxes [default: 1, and 0.2 for the dense one; --twin: 2]
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     time: Option<Quantity<Time>>,
-    /// Restitution of the damped runs, 0 < e <= 1 [default: 0.9]
+    /// Restitution of the damped runs, 0 < e <= 1 [default: 0.9; --twin: 1]
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     restitution: Option<Quantity<Number>>,
     /// Radius of a disc, r [default: 1e-4, and 5e-4 in the dense box]
@@ -94,11 +100,15 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
+    if arguments.twin {
+        return twin::run(arguments);
+    }
     let study = Study::new(&arguments.settings())?;
     let folder = &arguments.out_dir;
     files::probe(folder, &["drift.csv", "drift_energy.csv"])?;
     let runs = study.runs();
-    let bar = progress_bar(&runs, arguments.quiet || arguments.json);
+    let steps = runs.iter().map(StudyRun::particle_steps).sum();
+    let bar = progress_bar(steps, arguments.quiet || arguments.json);
     let courses = courses(&runs, &|steps| bar.inc(steps))?;
     bar.finish_and_clear();
     let outcomes: Vec<Outcome> = runs.iter().zip(&courses).collect();
@@ -184,13 +194,12 @@ fn curve_rows(outcomes: &[Outcome]) -> Vec<CurveRow> {
 }
 
 /// A bar on terminals only, drawn ten times a second.
-fn progress_bar(runs: &[StudyRun], hidden: bool) -> ProgressBar {
+fn progress_bar(steps: u64, hidden: bool) -> ProgressBar {
     if hidden {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left")
         .expect("a fixed, tested template");
-    let steps = runs.iter().map(StudyRun::particle_steps).sum();
     ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr_with_hz(10))
         .with_style(style)
 }

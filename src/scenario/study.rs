@@ -13,12 +13,17 @@ use std::f64::consts::SQRT_2;
 use glam::DVec2;
 
 use super::error::ScenarioError;
+use super::number::Num;
 use super::quantity::{Length, Mass, Quantity, Stiffness, Time};
+use super::refusal::{Refusal, round_up};
 use super::settings::{IntegratorName, Settings};
 use super::{DampingChoice, DiscSource, Scenario, StepChoice};
 use crate::analysis::collision::angular_frequency;
 use crate::analysis::drift::{Course, DOUBLED};
+use crate::analysis::stability::COARSE;
+use crate::analysis::twin::next_up;
 use crate::particle::Particle;
+use crate::simulation::Simulation;
 
 /// Phases of the touch inside a step: an error that hides at one phase shows at another.
 const PHASES: u32 = 16;
@@ -35,6 +40,9 @@ const DENSE_RADIUS: f64 = 5e-4;
 /// Simulated time of the guide's box and of the dense box, s: together with the rest, some
 /// seconds of wall time on two cores.
 const TIMES: [f64; 2] = [1.0, 0.2];
+
+/// Simulated time of the twins, s: enough for twenty discs to part.
+const TWIN_TIME: f64 = 2.0;
 
 /// What may be chosen; what is `None` is as in the guide.
 #[derive(Clone, Debug, Default)]
@@ -152,7 +160,7 @@ impl Study {
                 nt: Some(nt[0].into()), // the coarsest: if it is stable, all are
                 ..Settings::default()
             };
-            let mut scenario = Scenario::resolve(&settings, || 1)?;
+            let mut scenario = Scenario::resolve(&settings, || 1).map_err(too_coarse(nt[0]))?;
             // Placed once; every run starts from the same discs.
             let discs = scenario.build()?.particles().to_vec();
             scenario.discs = DiscSource::Listed(discs, Vec::new());
@@ -308,6 +316,43 @@ pub struct SawTooth {
 pub fn nearest(values: &[f64], wanted: f64) -> f64 {
     let far = |value: f64| (value / wanted).ln().abs();
     values.iter().copied().min_by(|a, b| far(*a).total_cmp(&far(*b))).unwrap_or(wanted)
+}
+
+/// A box whose run is to be compared with that of its twins: the guide's 20 discs, elastic,
+/// N_t = 50, if nothing else is said. Of several N_t the first counts.
+pub fn twin_box(said: &StudySettings) -> Result<Scenario, ScenarioError> {
+    let settings = Settings {
+        n: Some(said.n.unwrap_or(20)),
+        seed: Some(said.seed.unwrap_or(1)),
+        radius: said.radius,
+        mass: said.mass,
+        kn: said.kn,
+        time: said.time.or(Some(TWIN_TIME.into())),
+        restitution: Some(said.restitution.unwrap_or(1.0).into()),
+        nt: said.nt.first().map(|&nt| nt.into()),
+        ..Settings::default()
+    };
+    let nt = said.nt.first().copied().unwrap_or(50.0);
+    Scenario::resolve(&settings, || 1).map_err(too_coarse(nt))
+}
+
+/// The refusal of an unstable step in the study's own words: it has no other flag for the step.
+fn too_coarse(nt: f64) -> impl Fn(ScenarioError) -> ScenarioError {
+    move |error| {
+        let ScenarioError::Unstable(Refusal { dt, limit, by, .. }) = error else { return error };
+        let allowed = format!("must be at least {:.2}: below, {by} is unstable", nt * dt / limit);
+        let way_out = format!("--nt {}", Num(round_up(nt * dt / (COARSE * limit))));
+        ScenarioError::out_of_range("nt", nt, allowed, way_out)
+    }
+}
+
+/// A run and its two twins: with the x of disc 0 moved by the last bit of the number, and with
+/// dt longer by its last bit.
+pub fn twins(scenario: &Scenario) -> Result<(Simulation, [Simulation; 2]), ScenarioError> {
+    let mut moved = scenario.build()?;
+    moved.act(|discs| discs[0].position.x = next_up(discs[0].position.x));
+    let longer = Scenario { step: StepChoice::Seconds(next_up(scenario.dt())), ..scenario.clone() };
+    Ok((scenario.build()?, [moved, longer.build()?]))
 }
 
 fn checked_nt(said: &[f64]) -> Result<Vec<f64>, ScenarioError> {
