@@ -13,14 +13,11 @@ use std::f64::consts::SQRT_2;
 use glam::DVec2;
 
 use super::error::ScenarioError;
-use super::number::Num;
 use super::quantity::{Length, Mass, Quantity, Stiffness, Time};
-use super::refusal::{Refusal, round_up};
 use super::settings::{IntegratorName, Settings};
 use super::{DampingChoice, DiscSource, Scenario, StepChoice};
 use crate::analysis::collision::angular_frequency;
 use crate::analysis::drift::{Course, DOUBLED};
-use crate::analysis::stability::COARSE;
 use crate::analysis::twin::next_up;
 use crate::particle::Particle;
 use crate::simulation::Simulation;
@@ -336,13 +333,13 @@ pub fn twin_box(said: &StudySettings) -> Result<Scenario, ScenarioError> {
     Scenario::resolve(&settings, || 1).map_err(too_coarse(nt))
 }
 
-/// The refusal of an unstable step in the study's own words: it has no other flag for the step.
+/// The refusal of an unstable step in the study's own words: it has fewer flags than a run.
 fn too_coarse(nt: f64) -> impl Fn(ScenarioError) -> ScenarioError {
     move |error| {
-        let ScenarioError::Unstable(Refusal { dt, limit, by, .. }) = error else { return error };
-        let allowed = format!("must be at least {:.2}: below, {by} is unstable", nt * dt / limit);
-        let way_out = format!("--nt {}", Num(round_up(nt * dt / (COARSE * limit))));
-        ScenarioError::out_of_range("nt", nt, allowed, way_out)
+        let ScenarioError::Unstable(finding) = error else { return error };
+        let finer = finding.ways_out.iter().find(|way_out| way_out.starts_with("--nt "));
+        let way_out = finer.map_or("a larger --nt", String::as_str);
+        ScenarioError::out_of_range("nt", nt, format!("unstable: {}", finding.what), way_out)
     }
 }
 
