@@ -4,6 +4,7 @@ mod check;
 mod doctor;
 mod drift;
 mod interrupt;
+mod plot;
 mod presets;
 mod run;
 mod stepping;
@@ -34,6 +35,7 @@ pub fn run() -> ExitCode {
         Some(Command::Check(arguments)) => check::check(&arguments),
         Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
         Some(Command::Drift(arguments)) => drift::run(&arguments),
+        Some(Command::Plot(arguments)) => plot::plot(&arguments),
         Some(Command::Presets) => presets::print(),
     };
     match done {
@@ -56,6 +58,7 @@ Examples:
   parsim2d -n 1000 --radius 5e-4           its harder case
   parsim2d --restitution 1 --time 0.1s     elastic discs
   parsim2d examples/settling.toml          a scenario file
+  parsim2d plot trajectory trajectory.txt  pictures of it: parsim2d plot --help
   parsim2d --slowdown 20                   slow enough to watch: gnuplot plot/loop.plot
 
 Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 130 interrupted.";
@@ -85,6 +88,8 @@ enum Command {
     /// Does the total energy stay constant? Measure it for each integrator and time step
     #[command(after_help = drift::EXAMPLES)]
     Drift(Box<drift::DriftArguments>),
+    /// Draw what a run wrote: SVG, animated GIF, and gnuplot scripts
+    Plot(Box<plot::PlotArguments>),
     /// List the presets and their numbers
     Presets,
     /// Say which optional programs are there, and what each is good for
@@ -98,6 +103,8 @@ enum Failure {
     Scenario(#[from] ScenarioError),
     #[error(transparent)]
     Output(#[from] OutputError),
+    #[error(transparent)]
+    Plot(#[from] plot::PlotError),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
     UnknownCommand { word: String, known: String, advice: String },
     #[error("{0}")]
@@ -127,7 +134,9 @@ impl Failure {
             Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong(_) => {
                 ExitCode::FAILURE
             }
-            Self::Scenario(_) | Self::Output(_) | Self::UnknownCommand { .. } => ExitCode::from(2),
+            Self::Scenario(_) | Self::Output(_) | Self::Plot(_) | Self::UnknownCommand { .. } => {
+                ExitCode::from(2)
+            }
         }
     }
 }

@@ -34,6 +34,7 @@
 
 pub mod analysis;
 pub mod cli;
+pub mod figure;
 pub mod force;
 pub mod integrator;
 pub mod neighbours;

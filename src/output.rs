@@ -43,14 +43,6 @@ pub enum OutputError {
         /// Its format, as far as it can be told.
         format: String,
     },
-    /// A file of ours that does not hold what it should.
-    #[error("cannot read {}: {why}\n  way out: write it anew with the command that wrote it", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it, and in which line.
-        why: String,
-    },
     /// During the run.
     #[error("writing {} failed: {source}\n  the run stops here; what was written before is kept", path.display())]
     Write {
@@ -59,4 +51,34 @@ pub enum OutputError {
         /// The system's reason.
         source: std::io::Error,
     },
+}
+
+/// The rows of a csv file whose first line must be `header`. Errors are sentences that name the line.
+fn rows<T: serde::de::DeserializeOwned>(
+    input: impl std::io::Read,
+    header: &str,
+) -> Result<Vec<T>, String> {
+    let mut reader = csv::Reader::from_reader(input);
+    let said = reader.headers().map_err(|why| bad_row(&why))?;
+    let said: Vec<String> = said.iter().map(|name| name.trim().to_owned()).collect();
+    let said = said.join(",");
+    if said.trim_start_matches('\u{feff}') != header {
+        let start: String = said.chars().take(80).collect();
+        return Err(format!("its columns are {start}; they should be {header}"));
+    }
+    reader.deserialize().map(|row| row.map_err(|why| bad_row(&why))).collect()
+}
+
+/// What is wrong with a row, without the csv crate's counting of bytes.
+fn bad_row(why: &csv::Error) -> String {
+    let line = why.position().map_or(String::new(), |at| format!("line {}: ", at.line()));
+    let what = match why.kind() {
+        csv::ErrorKind::Utf8 { .. } => "this is not text".to_owned(),
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            format!("{len} columns, not {expected_len}: the line is cut off")
+        }
+        csv::ErrorKind::Deserialize { err, .. } => format!("{}", err.kind()),
+        _ => why.to_string(),
+    };
+    format!("{line}{what}")
 }

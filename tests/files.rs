@@ -159,7 +159,7 @@ fn a_run_started_from_a_frame_goes_on_from_it() {
         let second = run(&format!("--start {}{said} --time 0 --seed 9", file.display()));
         let wanted = read_frame(read(&first, "trajectory.txt").as_bytes(), Some(frame)).unwrap();
         let got = read_frame(read(&second, "trajectory.txt").as_bytes(), None).unwrap();
-        assert_eq!(wanted, got, "{said}");
+        assert_eq!(wanted.rows, got.rows, "{said}");
     }
 }
 

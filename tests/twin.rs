@@ -2,7 +2,7 @@
 
 use assert_cmd::Command;
 use parsim2d::analysis::twin::{Growth, distances, separation_time};
-use parsim2d::output::drift::{TwinRow, read};
+use parsim2d::output::drift::{TwinRow, read_twin};
 use parsim2d::scenario::study::{StudySettings, twin_box, twins};
 
 /// Growth of the twins (x moved, dt longer) of `n` discs over `time` s, and when they part.
@@ -71,7 +71,7 @@ fn twin(arguments: &[&str]) -> (String, Vec<TwinRow>, Vec<u8>) {
     assert!(output.status.success());
     let path = folder.path().join("twin.csv");
     let bytes = std::fs::read(&path).unwrap();
-    (String::from_utf8(output.stdout).unwrap(), read(&path).unwrap(), bytes)
+    (String::from_utf8(output.stdout).unwrap(), read_twin(bytes.as_slice()).unwrap(), bytes)
 }
 
 #[test]

@@ -17,7 +17,7 @@
 //! k_n delta_n. With `--no-tension` the contact ends with some overlap left; the clipped force then
 //! unloads the spring for nothing, and that too is counted as dissipated.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::simulation::Simulation;
 use crate::work::{kinetic_energy, sum_over};
@@ -52,7 +52,7 @@ impl MechanicalEnergy {
 }
 
 /// One line of the ledger; the fields are the columns of `energy.csv`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[allow(non_snake_case)] // a column's name ends with its unit
 pub struct LedgerRow {
     /// Steps done.

@@ -16,6 +16,7 @@ use serde::Serialize;
 
 use self::findings::{Findings, Outcome};
 use super::Failure;
+use super::plot::{Target, plot_drift};
 use crate::analysis::drift::Course;
 use crate::output::drift::{self as files, CurveRow, DriftRow};
 use crate::scenario::error::ScenarioError;
@@ -30,8 +31,8 @@ Examples:
   parsim2d drift --twin                    how long can two correct programs be compared?
   parsim2d drift --json -q                 rows and key numbers as one JSON object
 
-Writes drift.csv (a line a run) and drift_energy.csv (the boxes' energy against time);
---twin writes twin.csv (the distance between two runs against time).";
+Writes drift.csv (a line a run), drift_energy.csv (the boxes' energy against time), and the
+figure of both, drift.svg, with drift.gp for gnuplot; --twin writes twin.csv (the distance between two runs against time).";
 
 #[derive(Args)]
 pub(super) struct DriftArguments {
@@ -105,7 +106,7 @@ pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
     }
     let study = Study::new(&arguments.settings())?;
     let folder = &arguments.out_dir;
-    files::probe(folder, &["drift.csv", "drift_energy.csv"])?;
+    files::probe(folder, &["drift.csv", "drift_energy.csv", "drift.svg", "drift.gp"])?;
     let runs = study.runs();
     let steps = runs.iter().map(StudyRun::particle_steps).sum();
     let bar = progress_bar(steps, arguments.quiet || arguments.json);
@@ -116,7 +117,8 @@ pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
 
     files::write(&folder.join("drift.csv"), &rows)?;
     files::write(&folder.join("drift_energy.csv"), &curve_rows(&outcomes))?;
-    // A figure drawn from the two files belongs here.
+    let figure = Target::new(Some(&folder.join("drift.svg")), "drift", "svg")?;
+    plot_drift(&folder.join("drift.csv"), &figure.silent(true))?;
 
     let findings = Findings::of(&study, &outcomes)?;
     let mut out = io::stdout().lock();
@@ -128,6 +130,7 @@ pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
     } else if !arguments.quiet {
         table::write(&mut out, &study, &outcomes)?;
         words::write(&mut out, &words::answer(&findings))?;
+        writeln!(out, "\nwrote drift.csv, drift_energy.csv, drift.svg and drift.gp")?;
     }
     out.flush()?;
     Ok(ExitCode::SUCCESS)

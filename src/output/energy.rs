@@ -1,6 +1,7 @@
 //! `energy.csv`: the energy ledger, a line every so many steps.
 
 use std::fs::File;
+use std::io::Read;
 use std::path::PathBuf;
 
 use super::OutputError;
@@ -41,4 +42,18 @@ impl EnergyFile {
     fn failed(&self, source: std::io::Error) -> OutputError {
         OutputError::Write { path: self.path.clone(), source }
     }
+}
+
+/// Reads a ledger back.
+///
+/// Errors are sentences that name the line.
+///
+/// ```
+/// use parsim2d::output::energy::{HEADER, read};
+/// let text = format!("{HEADER}\n0,0,0.5,1.5,0,0,2,0\n");
+/// assert_eq!(read(text.as_bytes()).unwrap()[0].total_J, 2.0);
+/// assert!(read("x,y\n".as_bytes()).unwrap_err().starts_with("its columns are x,y"));
+/// ```
+pub fn read(input: impl Read) -> Result<Vec<LedgerRow>, String> {
+    super::rows(input, HEADER)
 }

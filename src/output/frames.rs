@@ -100,6 +100,10 @@ pub struct FrameRow {
 pub struct Frame {
     /// The discs, in the order of the file.
     pub rows: Vec<FrameRow>,
+    /// Steps done, if the header says it.
+    pub step: Option<u64>,
+    /// Simulated time, s, if the header says it.
+    pub time: Option<f64>,
     /// Side of the box, m, if the header says it.
     pub side: Option<f64>,
     /// Number of discs that the header says.
@@ -124,11 +128,24 @@ impl Frame {
         }
         for pair in words.windows(2) {
             match pair[0] {
+                "step" => self.step = pair[1].parse().ok(),
+                "time_s" => self.time = pair[1].parse().ok(),
                 "n" => self.declared = pair[1].parse().ok(),
                 "side_m" => self.side = pair[1].parse().ok(),
                 _ => {}
             }
         }
+    }
+
+    fn take_line(&mut self, line: &str, is_cut: bool) -> Result<(), String> {
+        match line.strip_prefix('#') {
+            Some(header) => self.read_header(header),
+            None if is_cut && self.declared.is_some() => {
+                return Err("the line is cut off".to_owned());
+            }
+            None => self.read_row(line)?,
+        }
+        Ok(())
     }
 
     fn read_row(&mut self, line: &str) -> Result<(), String> {
@@ -149,46 +166,122 @@ impl Frame {
 /// frame's header (a border) are left out.
 ///
 /// Errors are sentences that name the line.
-pub fn read_frame(mut input: impl BufRead, wanted: Option<usize>) -> Result<Frame, String> {
-    let mut frame = Frame::default();
-    let (mut finished, mut in_gap, mut number) = (0, false, 0);
-    let mut text = Vec::new();
-    loop {
-        text.clear();
-        number += 1;
-        let at = |why: String| format!("line {number}: {why}");
-        if input.read_until(b'\n', &mut text).map_err(|why| at(why.to_string()))? == 0 {
-            break;
+pub fn read_frame(input: impl BufRead, wanted: Option<usize>) -> Result<Frame, String> {
+    let mut frames = Frames::of(input);
+    let mut last = None;
+    while let Some(frame) = frames.next_frame()? {
+        if wanted == Some(frames.finished - 1) {
+            return frame.whole();
         }
-        let is_cut = frame.declared.is_some() && text.last() != Some(&b'\n');
-        let line = std::str::from_utf8(&text).map_err(|_| at("this is not text".to_owned()))?;
-        let line = line.trim_start_matches('\u{feff}').trim(); // some editors begin with a mark
-        if line.is_empty() {
-            in_gap = true;
-            continue;
+        last = Some(frame);
+    }
+    match (wanted, last) {
+        (_, None) => Err("it holds no frame".to_owned()),
+        (Some(k), Some(_)) => {
+            Err(format!("frame {k} was asked for; it holds frames 0 to {}", frames.finished - 1))
         }
-        if std::mem::take(&mut in_gap) && !frame.rows.is_empty() {
-            if wanted == Some(finished) {
-                return frame.whole();
-            }
-            finished += 1;
-            frame = Frame::default();
-        }
-        match line.strip_prefix('#') {
-            Some(header) => frame.read_header(header),
-            None if is_cut => return Err(at("the line is cut off".to_owned())),
-            None => frame.read_row(line).map_err(at)?,
+        (None, Some(frame)) => frame.whole(),
+    }
+}
+
+/// The frames of a file one after the other, read as they are asked for: a file of any size
+/// takes the memory of one frame. The same rules as [`read_frame`]; nothing comes after an
+/// error.
+///
+/// ```
+/// use parsim2d::output::frames::Frames;
+/// let text = "# step 0 time_s 0\n0.01 0.02 1e-4\n\n\n# step 9 time_s 0.5\n0.01 0.03 1e-4\n";
+/// let times: Vec<_> = Frames::of(text.as_bytes()).map(|frame| frame.unwrap().time).collect();
+/// assert_eq!(times, [Some(0.0), Some(0.5)]); // s
+/// ```
+pub struct Frames<R> {
+    input: R,
+    line: Vec<u8>,
+    number: usize, // of the line, from 1
+    begun: Frame,
+    finished: usize,
+    failure: Option<String>,
+    has_ended: bool,
+}
+
+impl<R: BufRead> Frames<R> {
+    /// The frames of `input`.
+    pub fn of(input: R) -> Self {
+        Self {
+            input,
+            line: Vec::new(),
+            number: 0,
+            begun: Frame::default(),
+            finished: 0,
+            failure: None,
+            has_ended: false,
         }
     }
-    match wanted {
-        _ if frame.rows.is_empty() && finished > 0 => {
-            Err(format!("its last frame is cut off; frames 0 to {} are whole", finished - 1))
+
+    /// The next frame, which may be shorter than its header says.
+    fn next_frame(&mut self) -> Result<Option<Frame>, String> {
+        if let Some(why) = self.failure.take() {
+            return Err(why);
         }
-        _ if frame.rows.is_empty() => Err("it holds no frame".to_owned()),
-        Some(k) if k > finished => {
-            Err(format!("frame {k} was asked for; it holds frames 0 to {finished}"))
+        let mut in_gap = false;
+        loop {
+            self.line.clear();
+            self.number += 1;
+            let number = self.number;
+            let at = |why: String| format!("line {number}: {why}");
+            let read = self.input.read_until(b'\n', &mut self.line);
+            if read.map_err(|why| at(why.to_string()))? == 0 {
+                return self.last_frame();
+            }
+            let is_cut = self.line.last() != Some(&b'\n');
+            let line = std::str::from_utf8(&self.line);
+            let line = line.map_err(|_| at("this is not text".to_owned()))?;
+            let line = line.trim_start_matches('\u{feff}').trim(); // some editors begin with a mark
+            if line.is_empty() {
+                in_gap = true;
+                continue;
+            }
+            let gap_ends = std::mem::take(&mut in_gap) && !self.begun.rows.is_empty();
+            let finished = gap_ends.then(|| std::mem::take(&mut self.begun));
+            let frame = &mut self.begun;
+            let taken = frame.take_line(line, is_cut).map_err(at);
+            if finished.is_some() {
+                self.finished += 1;
+                self.failure = taken.err(); // of the frame after this one
+                return Ok(finished);
+            }
+            taken?;
         }
-        _ => frame.whole(),
+    }
+
+    /// What stands at the end of the file.
+    fn last_frame(&mut self) -> Result<Option<Frame>, String> {
+        if std::mem::replace(&mut self.has_ended, true) {
+            return Ok(None);
+        }
+        let frame = std::mem::take(&mut self.begun);
+        if !frame.rows.is_empty() {
+            self.finished += 1;
+            return Ok(Some(frame));
+        }
+        match self.finished {
+            0 => Ok(None),
+            // A header without rows is what a full disk leaves.
+            n => Err(format!("its last frame is cut off; frames 0 to {} are whole", n - 1)),
+        }
+    }
+}
+
+impl<R: BufRead> Iterator for Frames<R> {
+    type Item = Result<Frame, String>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.has_ended {
+            return None;
+        }
+        let frame = self.next_frame().and_then(|frame| frame.map(Frame::whole).transpose());
+        self.has_ended |= frame.is_err();
+        frame.transpose()
     }
 }
 

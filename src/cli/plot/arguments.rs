@@ -1,0 +1,221 @@
+//! What may be asked of `parsim2d plot`.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+
+use crate::scenario::Scenario;
+use crate::scenario::error::ScenarioError;
+use crate::scenario::preset::Preset;
+use crate::scenario::quantity::{Coefficient, Mass, Number, Quantity, Rate, Stiffness};
+use crate::scenario::settings::Settings;
+
+const EXAMPLES: &str = "\
+Examples:
+  parsim2d plot frame out.txt                        discs to scale
+  parsim2d plot frame trajectory.txt --frame 0       how it began, coloured by speed
+  parsim2d plot trajectory trajectory.txt            paths, or moments of many discs
+  parsim2d plot trajectory trajectory.txt --gif      an animated GIF
+  parsim2d plot energy energy.csv                    where the energy is, and two errors
+  parsim2d plot velocity trajectory.txt              the velocity field
+  parsim2d plot forces trajectory.txt --kn 5e4       who presses on whom
+  parsim2d plot speeds trajectory.txt --pool         speeds beside Maxwell's curve
+
+Beside every picture a gnuplot script of the same name is written, which draws the same:
+  gnuplot energy.gp                                  writes energy.png
+  gnuplot -e \"out='energy.pdf'\" energy.gp            writes energy.pdf";
+
+/// Pictures of what a run wrote, without gnuplot.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct PlotArguments {
+    #[command(subcommand)]
+    pub kind: Kind,
+}
+
+#[derive(Subcommand)]
+pub enum Kind {
+    /// One frame: discs to scale in their box
+    Frame(FrameArguments),
+    /// All frames: paths of up to 50 discs, moments of more; or an animated GIF
+    Trajectory(TrajectoryArguments),
+    /// The energy ledger and its errors; several ledgers are compared
+    Energy(EnergyArguments),
+    /// The velocity field of a frame
+    Velocity(VelocityArguments),
+    /// The contact forces of a frame, from its overlaps and velocities
+    Forces(ForcesArguments),
+    /// Histogram of speeds beside Maxwell's distribution in two dimensions
+    Speeds(SpeedsArguments),
+    /// The drift study: drift.csv, with drift_energy.csv beside it
+    Drift(EnergyArguments),
+}
+
+#[derive(Args)]
+pub struct FrameArguments {
+    /// A file of frames: out.txt, trajectory.txt
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Which frame, from 0 [default: the last]
+    #[arg(long, value_name = "K")]
+    pub frame: Option<usize>,
+    /// What the discs' colours say [default: speed, where the file has velocities]
+    #[arg(long, value_enum, value_name = "WHAT", alias = "color")]
+    pub colour: Option<ColourName>,
+    /// Draw arrows along the velocities, the longest 5 % of the box
+    #[arg(long)]
+    pub vectors: bool,
+    /// The picture; the script beside it has its name [default: frame.svg]
+    #[arg(short, long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ColourName {
+    /// Speed
+    Speed,
+    /// Radius
+    Radius,
+    /// One colour for all
+    None,
+}
+
+#[derive(Args)]
+pub struct TrajectoryArguments {
+    /// A file of frames: trajectory.txt
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Write an animated GIF
+    #[arg(long)]
+    pub gif: bool,
+    /// Take every K-th frame
+    #[arg(long, value_name = "K", default_value = "1")]
+    pub every: NonZeroUsize,
+    /// Take frames 0 to K only [default: all]
+    #[arg(long, value_name = "K")]
+    pub until: Option<usize>,
+    /// Width of the GIF, 64 to 2000
+    #[arg(long, value_name = "PIXELS", default_value = "500", requires = "gif")]
+    #[arg(value_parser = clap::value_parser!(u16).range(64..=2000))]
+    pub size: u16,
+    /// Frames of the GIF a second, 0.1 to 50
+    #[arg(long, value_name = "FPS", default_value = "20", requires = "gif")]
+    #[arg(value_parser = frames_per_second)]
+    pub fps: f64,
+    /// The picture [default: trajectory.svg, trajectory.gif]
+    #[arg(short, long, value_name = "FILE.svg|FILE.gif")]
+    pub out: Option<PathBuf>,
+}
+
+fn frames_per_second(text: &str) -> Result<f64, String> {
+    let fps: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    // A GIF counts in hundredths of a second, and browsers take two at least.
+    if (0.1..=50.0).contains(&fps) { Ok(fps) } else { Err("must be 0.1 to 50".to_owned()) }
+}
+
+#[derive(Args)]
+pub struct EnergyArguments {
+    /// The csv file
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// The picture; the script beside it has its name [default: the kind's name.svg]
+    #[arg(short, long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub struct VelocityArguments {
+    /// A file of frames with velocities: trajectory.txt
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Which frame, from 0 [default: the last]
+    #[arg(long, value_name = "K")]
+    pub frame: Option<usize>,
+    /// The picture; the script beside it has its name [default: velocity.svg]
+    #[arg(short, long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub struct SpeedsArguments {
+    /// A file of frames with velocities: trajectory.txt
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Which frame, from 0 [default: the last]
+    #[arg(long, value_name = "K")]
+    pub frame: Option<usize>,
+    /// Count the speeds of all frames
+    #[arg(long, conflicts_with = "frame")]
+    pub pool: bool,
+    /// Pool frames 0 to K only [default: all]
+    #[arg(long, value_name = "K", requires = "pool")]
+    pub until: Option<usize>,
+    /// The picture; the script beside it has its name [default: speeds.svg]
+    #[arg(short, long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+/// The contact law is the run's: the same flags, the same defaults.
+#[derive(Args)]
+pub struct ForcesArguments {
+    /// A file of frames: trajectory.txt
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Which frame, from 0 [default: the last]
+    #[arg(long, value_name = "K")]
+    pub frame: Option<usize>,
+    /// The run's set of parameters [default: guide]
+    #[arg(long, value_enum, value_name = "P", help_heading = "The run's contact law")]
+    pub preset: Option<Preset>,
+    /// Mass of a disc, m [default: 1e-3]
+    #[arg(long, value_name = "KG", allow_hyphen_values = true)]
+    #[arg(help_heading = "The run's contact law")]
+    pub mass: Option<Quantity<Mass>>,
+    /// Normal stiffness, k_n [default: 5e4]
+    #[arg(long, value_name = "N/M", allow_hyphen_values = true, aliases = ["k_n", "k-n"])]
+    #[arg(help_heading = "The run's contact law")]
+    pub kn: Option<Quantity<Stiffness>>,
+    /// Normal damping, eta_n [default: 1.5e-3]
+    #[arg(long, value_name = "KG/S", allow_hyphen_values = true, aliases = ["eta_n", "eta-n"])]
+    #[arg(conflicts_with_all = ["gamma", "restitution"], help_heading = "The run's contact law")]
+    pub eta: Option<Quantity<Coefficient>>,
+    /// Damping as a rate: eta_n = m_eff gamma
+    #[arg(long, value_name = "1/S", allow_hyphen_values = true, conflicts_with = "restitution")]
+    #[arg(help_heading = "The run's contact law")]
+    pub gamma: Option<Quantity<Rate>>,
+    /// Damping from the restitution e of every contact, 0 < e <= 1
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(help_heading = "The run's contact law")]
+    pub restitution: Option<Quantity<Number>>,
+    /// Contacts never pull
+    #[arg(long, help_heading = "The run's contact law")]
+    pub no_tension: bool,
+    /// No walls
+    #[arg(long, help_heading = "The run's contact law")]
+    pub no_walls: bool,
+    /// The picture; the script beside it has its name [default: forces.svg]
+    #[arg(short, long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+impl ForcesArguments {
+    /// A scenario with the law that was said.
+    pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
+        let settings = Settings {
+            preset: self.preset,
+            mass: self.mass,
+            kn: self.kn,
+            eta: self.eta,
+            gamma: self.gamma,
+            restitution: self.restitution,
+            no_tension: self.no_tension.then_some(true),
+            no_walls: self.no_walls.then_some(true),
+            // No time step is made here: none can be unstable, or too long for the time.
+            allow_unstable: Some(true),
+            time: "0".parse().ok(),
+            ..Settings::default()
+        };
+        Scenario::resolve(&settings, || 0)
+    }
+}

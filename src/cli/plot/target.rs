@@ -1,0 +1,124 @@
+//! Where a picture goes, and its gnuplot script beside it.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Component, Path, PathBuf};
+
+use super::error::PlotError;
+use crate::cli::Failure;
+use crate::figure::Figure;
+use crate::figure::gnuplot::DataFile;
+use crate::output::OutputError;
+use crate::output::replace::replace;
+
+/// The two files that are written.
+pub struct Target {
+    picture: PathBuf,
+    script: PathBuf,
+    /// Name of both without their endings.
+    pub stem: String,
+    /// Whether nothing is to be said of what was written.
+    is_silent: bool,
+}
+
+impl Target {
+    /// The files `out`, or `kind` with the `ending` of the picture in the current folder.
+    pub fn new(out: Option<&Path>, kind: &str, ending: &str) -> Result<Self, PlotError> {
+        let usual = PathBuf::from(format!("{kind}.{ending}"));
+        let picture = out.map_or(usual, Path::to_owned);
+        let bad = |why: String, way_out: String| PlotError::BadOut {
+            path: picture.clone(),
+            why,
+            way_out,
+        };
+        let said = picture.extension().map(|said| said.to_string_lossy().to_lowercase());
+        if said.as_deref() != Some(ending) {
+            return Err(bad(
+                format!("this picture is a .{ending} file"),
+                format!(
+                    "--out {}; for PNG and PDF run the script: gnuplot -e \"out='{kind}.pdf'\" {kind}.gp",
+                    picture.with_extension(ending).display()
+                ),
+            ));
+        }
+        if picture.is_dir() {
+            return Err(bad("it is a folder".to_owned(), format!("--out FILE.{ending}")));
+        }
+        let folder = folder_of(&picture);
+        if !folder.is_dir() {
+            let folder = folder.display();
+            return Err(bad(
+                format!("there is no folder {folder}"),
+                format!("make it: mkdir {folder}"),
+            ));
+        }
+        let stem = picture.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Self { script: picture.with_extension("gp"), picture, stem, is_silent: false })
+    }
+
+    /// The same, saying nothing of what was written if `is_silent`.
+    pub fn silent(self, is_silent: bool) -> Self {
+        Self { is_silent, ..self }
+    }
+
+    /// How the script names a data file: from its own folder, so that both may be moved together.
+    pub fn data(&self, file: &Path) -> Result<DataFile, PlotError> {
+        let unreadable =
+            |source| PlotError::Unreadable { path: file.to_owned(), source, command: "parsim2d" };
+        let file = fs::canonicalize(file).map_err(unreadable)?;
+        let folder = fs::canonicalize(folder_of(&self.script)).map_err(unreadable)?;
+        Ok(match relative(&folder, &file) {
+            Some(path) => DataFile { path, is_relative: true },
+            None => DataFile { path: file.to_string_lossy().into_owned(), is_relative: false },
+        })
+    }
+
+    /// Writes a figure and its script, and says so.
+    pub fn write(&self, figure: &Figure, script: &str) -> Result<(), Failure> {
+        self.replace_picture(|out| out.write_all(figure.to_svg().as_bytes()))?;
+        self.write_script(script)
+    }
+
+    /// Writes the picture by `draw`.
+    pub fn replace_picture(
+        &self,
+        draw: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        replace(&self.picture, draw)
+    }
+
+    /// The picture could not be written.
+    pub fn failed(&self, source: io::Error) -> OutputError {
+        OutputError::Write { path: self.picture.clone(), source }
+    }
+
+    /// Writes the script, the second of the two, and says what has been written.
+    pub fn write_script(&self, script: &str) -> Result<(), Failure> {
+        replace(&self.script, |out| out.write_all(script.as_bytes()))?;
+        if self.is_silent {
+            return Ok(());
+        }
+        let (picture, script) = (self.picture.display(), self.script.display());
+        Ok(writeln!(io::stdout(), "wrote {picture} and {script}")?)
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// The way from `folder` to `file`, both absolute, with `/` between its steps; none from one drive
+/// of Windows to another.
+fn relative(folder: &Path, file: &Path) -> Option<String> {
+    let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
+    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    if common == 0 {
+        return None;
+    }
+    let up = from[common..].iter().map(|_| "..".into());
+    let down = to[common..].iter().map(|step: &Component| step.as_os_str().to_string_lossy());
+    Some(up.chain(down).collect::<Vec<_>>().join("/"))
+}

@@ -1,0 +1,98 @@
+//! Numbers for people: marks of an axis, powers of ten, prefixes of units.
+
+/// `10` with `power` raised, in letters that need no markup.
+///
+/// ```
+/// assert_eq!(parsim2d::figure::label::power_of_ten(-18), "10⁻¹⁸");
+/// ```
+pub fn power_of_ten(power: i32) -> String {
+    let raised = |c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '0' | '4'..='9' => char::from_u32('⁰' as u32 + (c as u32 - '0' as u32)).unwrap_or(c),
+        other => other,
+    };
+    format!("10{}", power.to_string().chars().map(raised).collect::<String>())
+}
+
+/// `value` with about `digits` significant digits, a power of ten where it is very large or small.
+///
+/// ```
+/// use parsim2d::figure::label::short;
+/// assert_eq!([short(0.030_04, 3), short(1.5e-7, 3), short(0.0, 3)], ["0.03", "1.5×10⁻⁷", "0"]);
+/// ```
+pub fn short(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{}", value + 0.0);
+    }
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let power: i32 = power.parse().unwrap_or(0);
+    if (-3..6).contains(&power) {
+        let decimals = (digits as i32 - 1 - power).max(0) as usize;
+        return trimmed(format!("{value:.decimals$}"));
+    }
+    let mantissa = trimmed(mantissa.to_owned());
+    if mantissa == "1" {
+        return power_of_ten(power);
+    }
+    format!("{mantissa}×{}", power_of_ten(power))
+}
+
+fn trimmed(text: String) -> String {
+    if !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// The power of ten that the marks of a linear axis share: 0 while they read well without one,
+/// else a multiple of three.
+pub fn shared_power(largest: f64) -> i32 {
+    if largest == 0.0 || !largest.is_finite() || (1e-3..1e5).contains(&largest) {
+        return 0;
+    }
+    3 * (largest.log10() / 3.0).floor() as i32
+}
+
+/// `marks` as text, in units of ten to the `power`, with the decimals that tell them apart.
+pub fn marks(marks: &[f64], power: i32) -> Vec<String> {
+    let scaled = |mark: f64| mark / 10f64.powi(power);
+    let step = marks.windows(2).map(|two| scaled(two[1] - two[0])).fold(f64::INFINITY, f64::min);
+    let decimals = if step.is_finite() && step > 0.0 {
+        (1e-9 - step.log10()).ceil().clamp(0.0, 12.0) as usize
+    } else {
+        3
+    };
+    marks.iter().map(|mark| format!("{:.decimals$}", scaled(*mark) + 0.0)).collect()
+}
+
+/// Prefix of the unit in which `largest` reads between 1 and 1000, and its power of ten; a bare
+/// power of ten outside the prefixes.
+///
+/// ```
+/// use parsim2d::figure::label::prefix;
+/// assert_eq!(prefix(3.8e-3), ("m".to_owned(), -3)); // 3.8 mJ
+/// assert_eq!(prefix(2e200), ("10¹⁹⁸ ".to_owned(), 198));
+/// ```
+pub fn prefix(largest: f64) -> (String, i32) {
+    if largest == 0.0 || !largest.is_finite() {
+        return (String::new(), 0);
+    }
+    let power = 3 * (largest.abs().log10() / 3.0 + 1e-12).floor() as i32;
+    let name = match power {
+        -12 => "p",
+        -9 => "n",
+        -6 => "µ",
+        -3 => "m",
+        0 => "",
+        3 => "k",
+        6 => "M",
+        9 => "G",
+        12 => "T",
+        other => return (format!("{} ", power_of_ten(other)), other),
+    };
+    (name.to_owned(), power)
+}

@@ -1,0 +1,194 @@
+//! Histogram of speeds beside Maxwell's distribution in two dimensions.
+
+use std::fmt::Write;
+
+use super::Figure;
+use super::axis::Axis;
+use super::chart::{Chart, Mark, Series};
+use super::frame::speed;
+use super::gnuplot::{self, quoted};
+use super::label::short;
+use super::ticks;
+use crate::output::frames::Frame;
+
+const BARS: &str = "#56B4E9";
+const CURVE: &str = "#D55E00";
+/// Points of the curve.
+const POINTS: usize = 200;
+
+/// Maxwell's distribution of the speed in two dimensions, s/m:
+/// f(v) = (v/s²) exp(-v²/(2 s²)), with s² = <v²>/2 (kT/m in equilibrium), s in m/s.
+///
+/// ```
+/// let density = parsim2d::figure::speeds::maxwell(0.5, 0.5);
+/// assert!((density - 1.2130613194252668).abs() < 1e-12); // exp(-1/2) / 0.5
+/// ```
+pub fn maxwell(speed: f64, s: f64) -> f64 {
+    let ratio = speed / s;
+    ratio / s * (-0.5 * ratio * ratio).exp()
+}
+
+/// What a first look at the speeds tells.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moments {
+    count: usize,
+    sum: f64,         // m/s
+    sum_squares: f64, // m2/s2
+    largest: f64,     // m/s
+    frames: usize,
+}
+
+impl Moments {
+    /// Takes in the speeds of a frame.
+    pub fn add(&mut self, frame: &Frame) {
+        self.frames += 1;
+        for speed in frame.rows.iter().map(speed) {
+            self.count += 1;
+            self.sum += speed;
+            self.sum_squares += speed * speed;
+            self.largest = self.largest.max(speed);
+        }
+    }
+
+    /// Mean speed, m/s.
+    pub fn mean(&self) -> f64 {
+        self.sum / self.count.max(1) as f64
+    }
+
+    /// Root mean square speed, m/s.
+    pub fn rms(&self) -> f64 {
+        (self.sum_squares / self.count.max(1) as f64).sqrt()
+    }
+}
+
+/// Speeds counted in bins of one width.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Histogram {
+    moments: Moments,
+    width: f64, // m/s
+    counts: Vec<usize>,
+}
+
+impl Histogram {
+    /// An empty histogram for speeds of these moments: about 2 n^(1/3) bins (Rice's rule) of a
+    /// round width.
+    pub fn new(moments: Moments) -> Self {
+        let bins = (2.0 * (moments.count as f64).cbrt()).clamp(5.0, 60.0);
+        let largest = if moments.largest > 0.0 { moments.largest.min(1e300) } else { 1.0 };
+        let (digit, power) = ticks::step(largest / bins);
+        let width = digit * 10f64.powi(power);
+        let count = (largest / width).floor().clamp(0.0, 1000.0) as usize + 1;
+        Self { moments, width, counts: vec![0; count] }
+    }
+
+    /// Counts the speeds of a frame.
+    pub fn add(&mut self, frame: &Frame) {
+        for speed in frame.rows.iter().map(speed) {
+            let bin = (speed / self.width) as usize;
+            let last = self.counts.len() - 1;
+            self.counts[bin.min(last)] += 1;
+        }
+    }
+
+    /// Right edge (m/s) and density (s/m) of each bin; the densities times the width add up to 1.
+    pub fn bars(&self) -> Vec<(f64, f64)> {
+        let whole = self.moments.count.max(1) as f64 * self.width;
+        let bar =
+            |(k, count): (usize, &usize)| ((k + 1) as f64 * self.width, *count as f64 / whole);
+        self.counts.iter().enumerate().map(bar).collect()
+    }
+
+    /// Width of a bin, m/s.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    fn is_at_rest(&self) -> bool {
+        self.moments.largest == 0.0
+    }
+
+    /// The parameter s of Maxwell's distribution of the same mean square speed, m/s.
+    fn s(&self) -> f64 {
+        self.moments.rms() / 2f64.sqrt()
+    }
+
+    fn has_curve(&self) -> bool {
+        let s = self.s();
+        s.is_finite() && s > 1e-300
+    }
+
+    fn last_edge(&self) -> f64 {
+        self.counts.len() as f64 * self.width
+    }
+
+    fn remark(&self) -> String {
+        let Moments { count, .. } = self.moments;
+        if self.is_at_rest() {
+            return format!("all {count} speeds are zero");
+        }
+        let [mean, rms] = [self.moments.mean(), self.moments.rms()].map(|v| short(v, 3));
+        format!("{count} speeds, mean {mean} m/s, rms {rms} m/s")
+    }
+
+    /// A title for the frames counted: the `time` (s) of one, or that many were pooled.
+    pub fn title(&self, time: Option<f64>) -> String {
+        match (self.moments.frames, time) {
+            (0 | 1, Some(time)) => format!("Speeds at t = {time:.4} s"),
+            (0 | 1, None) => "Speeds".to_owned(),
+            (frames, _) => format!("Speeds of {frames} frames"),
+        }
+    }
+}
+
+/// The picture of a histogram.
+pub fn figure(histogram: &Histogram, title: &str) -> Figure {
+    let end = histogram.last_edge();
+    let x = Axis { low: Some(0.0), high: Some(end), ..Axis::linear("speed, m/s") };
+    let y = Axis { low: Some(0.0), margin: 0.05, ..Axis::linear("probability density, s/m") };
+    let mut chart = Chart::new(title, x, y);
+    let bars = Mark::Bars(histogram.width);
+    // Speeds that are all zero have no density; the empty axes say so.
+    let points = if histogram.is_at_rest() { Vec::new() } else { histogram.bars() };
+    chart.series.push(Series::new("discs", BARS, bars, points));
+    if histogram.has_curve() {
+        let s = histogram.s();
+        let at = |k| end * k as f64 / POINTS as f64;
+        let points = (0..=POINTS).map(|k| (at(k), maxwell(at(k), s))).collect();
+        chart.series.push(Series::new("Maxwell, 2D", CURVE, Mark::Line(2.0, ""), points));
+    }
+    chart.remarks.push(histogram.remark());
+    Figure::of_chart(chart)
+}
+
+/// The script that draws [`figure`], with the numbers in it.
+pub fn script(stem: &str, histogram: &Histogram, title: &str) -> String {
+    let size = figure(histogram, title).panel;
+    let mut text = gnuplot::head(stem, "Histogram of speeds", size, "png pdf");
+    let bar =
+        |(right, density): (f64, f64)| format!("{:e} {density:e}", right - 0.5 * histogram.width);
+    text += &gnuplot::block("speeds", histogram.bars().into_iter().map(bar));
+    let mut curves = vec![format!(
+        "$speeds using 1:{} with boxes fs solid border lc rgb 'white' fc rgb '{BARS}' title 'discs'",
+        if histogram.is_at_rest() { "(0)" } else { "2" }
+    )];
+    if histogram.has_curve() {
+        let _ = writeln!(text, "s = {:e}                # m/s, s^2 = <v^2>/2", histogram.s());
+        curves.push(format!(
+            "x/s**2 * exp(-x**2 / (2*s**2)) with lines lw 2 lc rgb '{CURVE}' title 'Maxwell, 2D'"
+        ));
+    }
+    curves.push(format!("keyentry title {}", quoted(&histogram.remark())));
+    let _ = write!(
+        text,
+        "set title {} noenhanced\nset xrange [0:{:e}] ; set xlabel 'speed, m/s'\n\
+         set yrange [0:{}] ; set ylabel 'probability density, s/m'\n\
+         set boxwidth {:e}\nset grid linecolor rgb 'gray85'\nset samples 400\n\
+         set key outside top center horizontal noenhanced\nplot {}\n",
+        quoted(title),
+        histogram.last_edge(),
+        if histogram.is_at_rest() { "1" } else { "*" },
+        histogram.width,
+        curves.join(", \\\n    "),
+    );
+    text
+}
