@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -28,7 +28,8 @@ const ARROWS: [(&str, &[&str]); 13] = [
             "output",
         ],
     ),
-    ("cli", &["scenario", "simulation", "analysis", "output"]),
+    ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
+    ("cli", &["scenario", "simulation", "analysis", "output", "figure"]),
     ("main", &[]),
     ("lib", &[]),
 ];

@@ -26,7 +26,6 @@ use crate::figure::paths::{MOST_PATHS, Paths, moments};
 use crate::figure::speeds::{Histogram, Moments};
 use crate::figure::survey::Survey;
 use crate::figure::{drift, energy, forces, frame, paths, speeds, velocity};
-use crate::force::HalfPlane;
 use crate::output::frames::Frame;
 
 /// Draws what was asked for.
@@ -214,13 +213,9 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     let scenario = arguments.scenario()?;
     let (_, one) = file.frame(arguments.frame)?;
     if !has_velocities(&one) {
-        let why = "note: the frame has no velocities; dashpots are taken to be at rest";
-        input::remark(why.trim_start_matches("note: "));
+        input::remark("the frame has no velocities; dashpots are taken to be at rest");
     }
-    let walls = match one.side {
-        Some(side) if scenario.walls => HalfPlane::square(side).to_vec(),
-        _ => Vec::new(),
-    };
+    let walls = if scenario.walls { forces::walls(&one) } else { Vec::new() };
     let links = links(&discs(&one, scenario.mass), &scenario.law(), &walls);
     let script = forces::script(&target.stem, &one, &links);
     target.write(&forces::figure(&one, &links), &script)

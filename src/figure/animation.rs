@@ -110,24 +110,29 @@ pub fn script(
     let fill = if survey.has_velocities {
         text += &gnuplot::palette(0.0, survey.fastest, "speed, m/s");
         text += "unset colorbox\n";
-        "1:2:3:(sqrt($4**2 + $5**2)) with circles fs solid noborder lc palette".to_owned()
+        "(snap($1)):(snap($2)):3:(sqrt($4**2 + $5**2)) with circles fs solid noborder lc palette"
+            .to_owned()
     } else {
-        format!("1:2:3 with circles fs solid noborder fc rgb '{}'", hex(PLAIN))
+        format!("(snap($1)):(snap($2)):3 with circles fs solid noborder fc rgb '{}'", hex(PLAIN))
     };
     let _ = write!(
         text,
         "set margins at screen 0, at screen 1, at screen 0, at screen {:.4}\n\
+         # Centres sit on whole pixels: elsewhere equal small discs would come out unequal.\n\
+         pixel = {:e}\nsnap(v) = pixel * floor(v / pixel + 0.5)\n\
          if (!exists('file')) file = {}\ntimes = ''\n\
          # The header lines \"# step .. time_s ..\" as data.\n\
          set datafile commentschars '!'\n\
          stats file using (strcol(1) eq '#' ? (times = times.' '.strcol(5)) : 0, 0) nooutput\n\
          set datafile commentschars\n\
          do for [k=0:{}:{every}] {{\n    \
-         set title k < words(times) ? sprintf('t = %.4f s', real(word(times, k + 1))) : sprintf('frame %d', k) offset 0,-0.5\n    \
+         set label 1 k < words(times) ? sprintf('t = %.4f s', real(word(times, k + 1))) : sprintf('frame %d', k) at screen 0.03, screen {:.4} front\n    \
          plot file index k every ::0::{} using {fill}\n}}\n",
         size / (size + 20.0),
+        survey.view().width / size,
         data.expression(),
         survey.frames.saturating_sub(1),
+        1.0 - 10.0 / (size + 20.0),
         survey.discs.saturating_sub(1),
     );
     text

@@ -100,7 +100,7 @@ impl Placed {
     /// Where the axis begins and ends.
     pub fn range(&self) -> (f64, f64) {
         if self.is_log {
-            (10f64.powf(self.low), 10f64.powf(self.high))
+            (10f64.powf(self.low.max(-307.0)), 10f64.powf(self.high.min(307.0)))
         } else {
             (self.low, self.high)
         }

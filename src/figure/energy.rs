@@ -35,6 +35,12 @@ fn energy_at_start(rows: &[LedgerRow]) -> f64 {
     if size > 0.0 { size } else { 1.0 }
 }
 
+/// First and last time, s.
+fn ends(rows: &[LedgerRow]) -> (f64, f64) {
+    let times = rows.iter().map(|row| row.time_s);
+    (times.clone().fold(f64::INFINITY, f64::min), times.fold(0.0, f64::max))
+}
+
 fn largest<'a>(rows: impl Iterator<Item = &'a LedgerRow>) -> f64 {
     let sizes = rows.flat_map(|row| ENERGIES.map(|(.., column)| column(row).abs()));
     sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
@@ -45,17 +51,56 @@ pub fn is_finite(row: &LedgerRow) -> bool {
     ENERGIES.iter().all(|(.., column)| column(row).is_finite()) && row.time_s.is_finite()
 }
 
-fn energy_axis(prefix: &str) -> Axis {
-    Axis { margin: 0.04, ..Axis::linear(&format!("energy, {prefix}J")) }
+/// Energies that grew more than so many times over the start's stand on a logarithmic axis, by their
+/// sizes: a linear one would show the last point only.
+const EXPLODED: f64 = 1e4;
+
+/// The vertical axis of energies: its label, its kind, and the power of ten of its unit.
+struct Energies {
+    label: String,
+    power: i32,
+    is_log: bool,
+}
+
+impl Energies {
+    /// For the ledgers `runs` of what (`energy`).
+    fn of<'a>(what: &str, runs: impl Iterator<Item = &'a [LedgerRow]>) -> Self {
+        let (mut top, mut is_log) = (0.0, false);
+        for rows in runs {
+            let start = rows.first().map_or(0.0, |_| energy_at_start(rows));
+            let most = largest(rows.iter());
+            is_log |= most > EXPLODED * start;
+            top = f64::max(top, most);
+        }
+        if is_log {
+            return Self { label: format!("|{what}|, J"), power: 0, is_log };
+        }
+        let (prefix, power) = label::prefix(top);
+        Self { label: format!("{what}, {prefix}J"), power, is_log }
+    }
+
+    fn axis(&self) -> Axis {
+        let linear = Axis { margin: 0.04, ..Axis::linear(&self.label) };
+        if self.is_log { Axis::log(&self.label) } else { linear }
+    }
+
+    /// An energy, J, as it stands on the axis.
+    fn shown(&self, energy: f64) -> f64 {
+        if self.is_log { energy.abs() } else { energy * 10f64.powi(-self.power) }
+    }
+
+    /// Column `k` as it stands on gnuplot's axis.
+    fn column(&self, k: usize) -> String {
+        if self.is_log { format!("abs(${k})") } else { format!("1e{} * ${k}", -self.power) }
+    }
 }
 
 /// The picture of one ledger of at least two lines.
 pub fn figure(rows: &[LedgerRow]) -> Figure {
-    let (prefix, power) = label::prefix(largest(rows.iter()));
-    let scale = 10f64.powi(-power);
-    let mut energies = Chart::new("", Axis::linear("time, s"), energy_axis(&prefix));
+    let shown = Energies::of("energy", [rows].into_iter());
+    let mut energies = Chart::new("", Axis::linear("time, s"), shown.axis());
     for (name, _, colour, width, column) in ENERGIES {
-        let points = rows.iter().map(|row| (row.time_s, scale * column(row))).collect();
+        let points = rows.iter().map(|row| (row.time_s, shown.shown(column(row)))).collect();
         energies.series.push(Series::new(name, colour, Mark::Line(width, ""), points));
     }
     let panels = vec![Panel::Chart(energies), Panel::Chart(errors(rows))];
@@ -76,25 +121,21 @@ fn errors(rows: &[LedgerRow]) -> Chart {
     add("integration error: loss", LOSS, Mark::Dots(1.2), curve(&|row| start - row.total_J));
     let residue = curve(&|row| row.work_error_J.abs());
     add("work residue (round-off)", RESIDUE, Mark::Line(1.5, ""), residue);
-    let times = rows.iter().map(|row| row.time_s);
-    let ends = [times.clone().fold(f64::INFINITY, f64::min), times.fold(0.0, f64::max)];
-    let precision = ends.map(|time| (time, f64::EPSILON)).to_vec();
+    let precision = <[f64; 2]>::from(ends(rows)).map(|time| (time, f64::EPSILON)).to_vec();
     add("double precision", "#808080", Mark::Line(1.5, "2 4"), precision);
     chart
 }
 
 /// The total energy of several runs over time, and the sizes of their errors below.
 pub fn comparison(runs: &[(String, Vec<LedgerRow>)]) -> Figure {
-    let (prefix, power) = label::prefix(largest(runs.iter().flat_map(|(_, rows)| rows)));
-    let scale = 10f64.powi(-power);
-    let y = Axis { label: format!("total energy, {prefix}J"), ..energy_axis("") };
-    let mut totals = Chart::new("", Axis::linear("time, s"), y);
+    let shown = Energies::of("total energy", runs.iter().map(|(_, rows)| rows.as_slice()));
+    let mut totals = Chart::new("", Axis::linear("time, s"), shown.axis());
     let y = Axis { low: Some(LEAST), ..Axis::log("|integration error| / energy at start") };
     let mut errors = Chart::new("", Axis::linear("time, s"), y);
     for (k, (name, rows)) in runs.iter().enumerate() {
         let colour = OKABE_ITO[k % OKABE_ITO.len()];
         let (size, start) = (energy_at_start(rows), rows.first().map_or(0.0, |row| row.total_J));
-        let total = rows.iter().map(|row| (row.time_s, scale * row.total_J)).collect();
+        let total = rows.iter().map(|row| (row.time_s, shown.shown(row.total_J))).collect();
         let error = rows.iter().map(|row| (row.time_s, (row.total_J - start).abs() / size));
         totals.series.push(Series::new(name, colour, Mark::Line(2.0, dash(k)), total));
         errors.series.push(Series::new("", colour, Mark::Dots(1.2), error.collect()));
@@ -109,7 +150,7 @@ fn dash(k: usize) -> &'static str {
 }
 
 /// The lines that both scripts begin with.
-fn beginning(stem: &str, prefix: &str) -> String {
+fn beginning(stem: &str, shown: &Energies, rows: &[LedgerRow]) -> String {
     let mut text = gnuplot::head(stem, "Energy ledger", (900.0, 800.0), "png pdf");
     text += "set datafile separator comma columnheaders\n\
              set key outside top center horizontal samplen 2 Left reverse noenhanced\n\
@@ -118,7 +159,14 @@ fn beginning(stem: &str, prefix: &str) -> String {
              set lmargin 11 ; set rmargin 3     # the two panels in line\n\
              set xlabel 'time, s'\n\
              set multiplot layout 2,1\n";
-    let _ = writeln!(text, "set ylabel {}", quoted(prefix)); // into memory
+    let _ = writeln!(text, "set ylabel {}", quoted(&shown.label)); // into memory
+    let (first, last) = ends(rows);
+    if first < last {
+        let _ = writeln!(text, "set xrange [{first:e}:{last:e}]");
+    }
+    if shown.is_log {
+        text += "set logscale y ; set format y '10^{%T}'\n";
+    }
     text
 }
 
@@ -132,11 +180,14 @@ fn errors_below(label: &str) -> String {
 
 /// The script that draws [`figure`] from the ledger `data`.
 pub fn script(stem: &str, data: &DataFile, rows: &[LedgerRow]) -> String {
-    let (prefix, power) = label::prefix(largest(rows.iter()));
-    let mut text = beginning(stem, &format!("energy, {prefix}J"));
+    let shown = Energies::of("energy", [rows].into_iter());
+    let mut text = beginning(stem, &shown, rows);
     let _ = writeln!(text, "if (!exists('file')) file = {}", data.expression());
     let curves = ENERGIES.map(|(name, column, colour, width, _)| {
-        format!("file using 2:(1e{} * ${column}) with lines lw {width} lc rgb '{colour}' title '{name}'", -power)
+        format!(
+            "file using 2:({}) with lines lw {width} lc rgb '{colour}' title '{name}'",
+            shown.column(column)
+        )
     });
     let _ = writeln!(text, "plot {}", curves.join(", \\\n    "));
     text += &errors_below("error / energy at start");
@@ -163,15 +214,16 @@ pub fn comparison_script(
     data: &[DataFile],
     runs: &[(String, Vec<LedgerRow>)],
 ) -> String {
-    let (prefix, power) = label::prefix(largest(runs.iter().flat_map(|(_, rows)| rows)));
-    let mut text = beginning(stem, &format!("total energy, {prefix}J"));
+    let shown = Energies::of("total energy", runs.iter().map(|(_, rows)| rows.as_slice()));
+    let all: Vec<_> = runs.iter().flat_map(|(_, rows)| rows.iter().copied()).collect();
+    let mut text = beginning(stem, &shown, &all);
     let both = || runs.iter().zip(data).enumerate();
     let curves = both().map(|(k, ((name, _), file))| {
         let (colour, dash) = (OKABE_ITO[k % OKABE_ITO.len()], 1 + k / OKABE_ITO.len() % 3);
         let (file, name) = (file.expression(), quoted(name));
         format!(
-            "{file} using 2:(1e{} * $7) with lines lw 2 dt {dash} lc rgb '{colour}' title {name}",
-            -power
+            "{file} using 2:({}) with lines lw 2 dt {dash} lc rgb '{colour}' title {name}",
+            shown.column(7)
         )
     });
     let _ = writeln!(text, "plot {}", curves.collect::<Vec<_>>().join(", \\\n    "));

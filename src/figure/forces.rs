@@ -79,6 +79,11 @@ pub fn discs(frame: &Frame, mass: f64) -> Vec<Particle> {
     frame.rows.iter().map(disc).collect()
 }
 
+/// The walls of the frame's box; none if the file does not say how large it is.
+pub fn walls(frame: &Frame) -> Vec<HalfPlane> {
+    frame.side.map_or(Vec::new(), |side| HalfPlane::square(side).to_vec())
+}
+
 /// The largest force, N, without its sign.
 fn hardest(links: &[Link]) -> f64 {
     links.iter().map(|link| link.push.abs()).filter(|push| push.is_finite()).fold(0.0, f64::max)

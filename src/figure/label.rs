@@ -62,7 +62,7 @@ pub fn marks(marks: &[f64], power: i32) -> Vec<String> {
     let scaled = |mark: f64| mark / 10f64.powi(power);
     let step = marks.windows(2).map(|two| scaled(two[1] - two[0])).fold(f64::INFINITY, f64::min);
     let decimals = if step.is_finite() && step > 0.0 {
-        (1e-9 - step.log10()).ceil().clamp(0.0, 12.0) as usize
+        (-step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize
     } else {
         3
     };

@@ -8,7 +8,7 @@ use super::colour::{OKABE_ITO, hex};
 use super::frame::{self, ColourBy};
 use super::gnuplot::{self, DataFile, quoted};
 use super::label::short;
-use super::scene::{Disc, Scene};
+use super::scene::{Disc, Scene, left_out};
 use super::survey::Survey;
 use super::{Figure, Panel};
 use crate::output::frames::Frame;
@@ -75,7 +75,8 @@ impl Paths {
 
 fn paths_title(survey: &Survey, last: &Frame) -> String {
     let until = last.time.map_or(String::new(), |time| format!(" until t = {time:.4} s"));
-    format!("Paths of {} discs{until}, {} frames", survey.discs, survey.frames)
+    let outside = left_out(last, survey.view());
+    format!("Paths of {} discs{until}, {} frames{outside}", survey.discs, survey.frames)
 }
 
 fn rgb(colour: &str) -> [u8; 3] {

@@ -57,8 +57,11 @@ impl Canvas {
         if !(x + reach > 0.0 && y + reach > 0.0 && radius >= 0.0) {
             return; // outside, or no number
         }
-        let columns = (x - reach).max(0.0) as usize..((x + reach) as usize + 1).min(self.width);
-        let rows = (y - reach).max(0.0) as usize..((y + reach) as usize + 1).min(self.height);
+        let range = |at: f64, end: usize| {
+            // `as` sends what is below zero to 0 and what is above to the largest number.
+            (at - reach) as usize..((at + reach) as usize).saturating_add(1).min(end)
+        };
+        let (columns, rows) = (range(x, self.width), range(y, self.height));
         let mut is_seen = false;
         for row in rows {
             for column in columns.clone() {

@@ -18,6 +18,9 @@ const EDGE_FROM: f64 = 2.5; // px, radius
 /// Arrows shorter than this are no arrows.
 const SHORTEST_ARROW: f64 = 0.7; // px
 
+/// Edges of discs whose colours say something.
+const WHITE: [u8; 3] = [0xff; 3];
+
 /// The square part of the plane that a scene shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -137,7 +140,8 @@ pub struct Scene {
     pub side: Option<f64>,
     /// The discs.
     pub discs: Vec<Disc>,
-    /// Colour of the discs' edges, if they are large enough to have one.
+    /// Colour of the discs' edges, if they are large enough to have one; unless white, the colour
+    /// of discs that are mere dots.
     pub edge: [u8; 3],
     /// Lines through many points (m), over the discs.
     pub paths: Vec<(Vec<DVec2>, &'static str)>,
@@ -161,7 +165,7 @@ impl Scene {
             view,
             side,
             discs: Vec::new(),
-            edge: [0xff; 3],
+            edge: WHITE,
             paths: Vec::new(),
             lines: Vec::new(),
             arrows: Vec::new(),
@@ -237,16 +241,20 @@ impl Ground {
         }
     }
 
-    fn draw_discs(&self, svg: &mut Svg, discs: &[Disc], edge: [u8; 3]) {
+    fn draw_discs(&self, svg: &mut Svg, discs: &[Disc], tint: [u8; 3]) {
         let largest = discs.iter().map(|disc| self.pixels(disc.radius)).fold(0.0, f64::max);
         let edge = if largest >= EDGE_FROM {
-            format!(" stroke=\"{}\" stroke-width=\"0.5\"", hex(edge))
+            format!(" stroke=\"{}\" stroke-width=\"0.5\"", hex(tint))
         } else {
             String::new()
         };
+        // A light dot would not be seen.
+        let is_dot = edge.is_empty();
         // Discs of one colour in a row share a group.
         for same in discs.chunk_by(|a, b| a.fill == b.fill) {
-            let fill = hex(same[0].fill);
+            let is_light = same[0].fill.iter().all(|channel| *channel > 0x50);
+            let fill = if is_dot && is_light && tint != WHITE { tint } else { same[0].fill };
+            let fill = hex(fill);
             svg.begin_group(&format!("class=\"discs\" fill=\"{fill}\"{edge}"));
             for disc in same.iter().filter(|disc| disc.radius >= 0.0) {
                 svg.circle(self.point(disc.centre), self.pixels(disc.radius), "");
