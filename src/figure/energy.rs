@@ -121,9 +121,14 @@ fn errors(rows: &[LedgerRow]) -> Chart {
     add("integration error: loss", LOSS, Mark::Dots(1.2), curve(&|row| start - row.total_J));
     let residue = curve(&|row| row.work_error_J.abs());
     add("work residue (round-off)", RESIDUE, Mark::Line(1.5, ""), residue);
-    let precision = <[f64; 2]>::from(ends(rows)).map(|time| (time, f64::EPSILON)).to_vec();
-    add("double precision", "#808080", Mark::Line(1.5, "2 4"), precision);
+    chart.series.push(precision(rows));
     chart
+}
+
+/// A line at the spacing of numbers near 1: errors below it are none.
+fn precision(rows: &[LedgerRow]) -> Series {
+    let points = <[f64; 2]>::from(ends(rows)).map(|time| (time, f64::EPSILON)).to_vec();
+    Series::new("double precision", "#808080", Mark::Line(1.5, "2 4"), points)
 }
 
 /// The total energy of several runs over time, and the sizes of their errors below.
@@ -140,6 +145,8 @@ pub fn comparison(runs: &[(String, Vec<LedgerRow>)]) -> Figure {
         totals.series.push(Series::new(name, colour, Mark::Line(2.0, dash(k)), total));
         errors.series.push(Series::new("", colour, Mark::Dots(1.2), error.collect()));
     }
+    let all: Vec<_> = runs.iter().flat_map(|(_, rows)| rows.iter().copied()).collect();
+    errors.series.push(precision(&all));
     let panels = vec![Panel::Chart(totals), Panel::Chart(errors)];
     Figure { panels, columns: 1, panel: (900.0, 400.0), strip: None }
 }
@@ -238,6 +245,10 @@ pub fn comparison_script(
             OKABE_ITO[k % OKABE_ITO.len()]
         )
     });
-    let _ = writeln!(text, "plot {}", errors.collect::<Vec<_>>().join(", \\\n    "));
+    // Runs without any error, at rest, still leave gnuplot this line to draw.
+    let precision =
+        format!("{:e} with lines lw 2 dt 3 lc rgb 'gray50' title 'double precision'", f64::EPSILON);
+    let errors: Vec<_> = errors.chain([precision]).collect();
+    let _ = writeln!(text, "plot {}", errors.join(", \\\n    "));
     text + "unset multiplot\n"
 }
