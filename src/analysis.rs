@@ -1,6 +1,8 @@
 //! What can be read off a simulation or told beforehand: energies, their drift, closed forms,
 //! limits.
 
+pub mod answer;
+pub mod bounce;
 pub mod collision;
 pub mod drift;
 pub mod energy;

@@ -840,7 +840,6 @@ fn write_study(folder: &Path) {
             }
         }
     }
-    let file = |name| File::create(folder.join(name)).unwrap();
-    parsim2d::output::drift::write(file("drift.csv"), &rows).unwrap();
-    parsim2d::output::drift::write(file("drift_energy.csv"), &curves).unwrap();
+    parsim2d::output::drift::write(&folder.join("drift.csv"), &rows).unwrap();
+    parsim2d::output::drift::write(&folder.join("drift_energy.csv"), &curves).unwrap();
 }

@@ -7,10 +7,10 @@ use std::process::ExitCode;
 use clap::Args;
 use rand::TryRng;
 
-use super::Failure;
 use super::interrupt::Interrupt;
 use super::stepping::Stepping;
 use super::watch::placing_spinner;
+use super::{Failure, answer};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::recorder::Recorder;
 use crate::output::summary::Summary;
@@ -128,6 +128,7 @@ fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
         interrupted: simulation.steps() < scenario.steps() && !stepping.is_stopped(),
         went_wrong: failure.as_ref().map(|failure| failure.kind),
         went_wrong_at_step: failure.as_ref().map(|failure| failure.step),
+        answer: answer::of(scenario),
     }
 }
 
@@ -137,6 +138,7 @@ fn report(scenario: &Scenario, summary: &Summary) -> io::Result<()> {
         summary.write_json(&mut out)?;
     } else if !scenario.output.quiet {
         summary.write_text(&mut out, remark(scenario, summary).as_deref())?;
+        answer::write(&mut out, &summary.answer)?;
     }
     out.flush()
 }

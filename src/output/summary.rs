@@ -4,6 +4,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use crate::analysis::answer::Answer;
+
 /// What a finished run says of itself; the fields are the keys of `--json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case)] // a key's name ends with its unit
@@ -53,6 +55,9 @@ pub struct Summary {
     pub went_wrong: Option<&'static str>,
     /// The first step after which it was so.
     pub went_wrong_at_step: Option<u64>,
+    /// Theory beside measurement, for runs of one or two discs where there is one.
+    #[serde(skip_serializing_if = "Answer::is_empty")]
+    pub answer: Answer,
 }
 
 impl Summary {

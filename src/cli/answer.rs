@@ -1,0 +1,53 @@
+//! The analytic answer beside a run of one or two discs, after its summary.
+
+use std::io::{self, Write};
+
+use crate::analysis::answer::{Answer, AnswerRow, Question};
+use crate::scenario::{DiscSource, Scenario, StepChoice};
+use crate::simulation::Simulation;
+
+/// Theory beside measurement for this scenario; nothing where theory has none.
+pub(super) fn of(scenario: &Scenario) -> Answer {
+    if scenario.n() > 2 {
+        return Answer::default();
+    }
+    let build = |discs, dt| -> Option<Simulation> {
+        let step = StepChoice::Seconds(dt);
+        let discs = DiscSource::Listed(discs, Vec::new());
+        Scenario { discs, step, ..scenario.clone() }.build().ok()
+    };
+    let Ok(start) = scenario.build() else { return Answer::default() };
+    let question = Question {
+        discs: start.particles().to_vec(),
+        law: scenario.law(),
+        gravity: scenario.gravity_vector(),
+        side: scenario.walls.then_some(scenario.side),
+        dt: scenario.dt(),
+        time: scenario.time,
+    };
+    question.answer(&build)
+}
+
+/// Writes the table; nothing for no rows.
+pub(super) fn write(out: &mut impl Write, answer: &Answer) -> io::Result<()> {
+    if answer.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nfirst contact             theory       measured     error     order in dt")?;
+    for AnswerRow { what, unit, theory, measured, error, order } in answer.rows() {
+        let what = if unit.is_empty() { what.clone() } else { format!("{what}, {unit}") };
+        let order = order.map_or("-".to_owned(), |order| format!("{order:.1}"));
+        let (theory, measured) = (digits(*theory), digits(*measured));
+        writeln!(out, "{what:<25} {theory:<12} {measured:<12} {error:<+9.1e} {order}")?;
+    }
+    answer.remark.iter().try_for_each(|remark| writeln!(out, "({remark})"))
+}
+
+/// Six digits.
+fn digits(value: f64) -> String {
+    if (1e-3..1e4).contains(&value.abs()) {
+        let whole = value.abs().log10().floor() as i32;
+        return format!("{value:.*}", (5 - whole).max(0) as usize);
+    }
+    format!("{value:.5e}")
+}
