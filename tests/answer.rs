@@ -207,7 +207,7 @@ fn nothing_is_said_where_theory_does_not_apply() {
             "so soft that discs pass through",
             format!(
                 "{open}kn = 1\n{}{}",
-                disc("[0.01, 0.02]", "[1, 0]"),
+                disc("[0.01, 0.02]", "[0.05, 0]"),
                 disc("[0.02, 0.02]", "[0, 0]")
             ),
         ),

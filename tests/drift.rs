@@ -143,7 +143,7 @@ fn files_have_the_promised_columns_and_read_back() {
     // The end of a curve is the row's final error.
     let row = rows.iter().find(|row| row.case == "box" && row.nt == 50.0).unwrap();
     assert_eq!(curves.iter().rfind(one).unwrap().error, row.final_error);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "temporary files were left");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4, "temporary files were left");
 }
 
 #[test]
