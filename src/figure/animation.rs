@@ -9,6 +9,7 @@ use super::colour::{self, hex};
 use super::frame;
 use super::gnuplot::{self, DataFile};
 use super::raster::{Canvas, HUES, palette};
+use super::scene::View;
 use super::survey::Survey;
 use crate::output::frames::Frame;
 
@@ -24,6 +25,7 @@ pub struct Animation<W: Write> {
     size: usize, // px
     delay: u16,  // 1/100 s
     survey: Survey,
+    view: View,
 }
 
 /// Hundredths of a second between frames at so many a second; a GIF knows no shorter unit, and
@@ -46,7 +48,14 @@ impl<W: Write> Animation<W> {
             gif::Encoder::new(out, size, height, &palette(hues)).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
         let canvas = Canvas::new(usize::from(size), usize::from(height));
-        Ok(Self { encoder, canvas, size: usize::from(size), delay: delay(fps), survey })
+        Ok(Self {
+            encoder,
+            canvas,
+            size: usize::from(size),
+            delay: delay(fps),
+            survey,
+            view: survey.view(),
+        })
     }
 
     /// Appends a frame, number `index` of the file.
@@ -72,7 +81,7 @@ impl<W: Write> Animation<W> {
         for row in &frame.rows {
             let share = frame::speed(row) / self.survey.fastest;
             let hue = (share * (HUES - 1) as f64).round() as usize; // NaN, at rest, is 0
-            let radius = row.radius / self.survey.view().width * self.size as f64;
+            let radius = row.radius / self.view.width * self.size as f64;
             self.canvas.fill_disc(self.pixel(row.position), radius, hue);
         }
         if let Some(side) = self.survey.side {
@@ -89,8 +98,7 @@ impl<W: Write> Animation<W> {
 
     /// Where a point (m) lies, pixels from the upper left corner.
     fn pixel(&self, at: DVec2) -> (f64, f64) {
-        let view = self.survey.view();
-        let place = (at - view.corner) / view.width * self.size as f64;
+        let place = (at - self.view.corner) / self.view.width * self.size as f64;
         (place.x, (CLOCK + self.size) as f64 - place.y)
     }
 }
@@ -129,7 +137,7 @@ pub fn script(
          set label 1 k < words(times) ? sprintf('t = %.4f s', real(word(times, k + 1))) : sprintf('frame %d', k) at screen 0.03, screen {:.4} front\n    \
          plot file index k every ::0::{} using {fill}\n}}\n",
         size / (size + 20.0),
-        survey.view().width / size,
+        survey.view().width / (size - 1.0), // gnuplot's axes end on pixels
         data.expression(),
         survey.frames.saturating_sub(1),
         1.0 - 10.0 / (size + 20.0),

@@ -266,7 +266,7 @@ pub fn script(
          set datafile separator comma columnheaders\n\
          set datafile missing NaN           # rows of other curves interrupt none\n\
          set key outside top center horizontal samplen 2 font ',9' noenhanced\n\
-         set grid linecolor rgb 'gray85'\n\
+         set grid linecolor rgb 'gray85' ; set autoscale xfix\n\
          set logscale y ; set format y '10^{{%T}}'\n\
          set multiplot layout 1,{}\n\
          set logscale x ; set format x '10^{{%T}}'\n\

@@ -123,11 +123,12 @@ impl Histogram {
 
     fn remark(&self) -> String {
         let Moments { count, .. } = self.moments;
+        let speeds = if count == 1 { "speed" } else { "speeds" };
         if self.is_at_rest() {
-            return format!("all {count} speeds are zero");
+            return format!("{count} {speeds}, all zero");
         }
         let [mean, rms] = [self.moments.mean(), self.moments.rms()].map(|v| short(v, 3));
-        format!("{count} speeds, mean {mean} m/s, rms {rms} m/s")
+        format!("{count} {speeds}, mean {mean} m/s, rms {rms} m/s")
     }
 
     /// A title for the frames counted: the `time` (s) of one, or that many were pooled.
