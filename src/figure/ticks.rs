@@ -9,7 +9,7 @@
 /// ```
 /// use parsim2d::figure::ticks::linear;
 /// assert_eq!(linear(0.0, 0.04, 5), [0.0, 0.01, 0.02, 0.03, 0.04]);
-/// assert_eq!(linear(-1.3, 1.3, 4), [-1.0, 0.0, 1.0]);
+/// assert_eq!(linear(-1.3, 1.3, 3), [-1.0, 0.0, 1.0]);
 /// ```
 pub fn linear(low: f64, high: f64, wanted: usize) -> Vec<f64> {
     if !low.is_finite() || !high.is_finite() {
