@@ -61,6 +61,7 @@ Examples:
   parsim2d examples/settling.toml          a scenario file
   parsim2d plot trajectory trajectory.txt  pictures of it: parsim2d plot --help
   parsim2d --slowdown 20                   slow enough to watch: gnuplot plot/loop.plot
+  parsim2d drift                           does the energy stay constant?
 
 Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 130 interrupted.";
 

@@ -190,6 +190,42 @@ fn the_answer_has_the_measured_numbers_and_changes_with_them() {
     let (fine, words) = report(&["-n", "5", "--time", "2ms", "--nt", "1000"]);
     let gain = contact(&fine, "wall", "explicit-euler")["after"].as_f64().unwrap();
     assert!(gain < 0.011 && words.contains("did not double"), "{gain} {words}");
+    assert!(words.contains("says nothing of many contacts"), "{words}");
+}
+
+#[test]
+fn a_crowded_elastic_box_heats_at_n_t_10_and_hardly_at_50() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = drift(folder.path(), &["--nt", "10,50", "--json"]);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let answer = &report["answer"];
+    let rate = |integrator: &str, nt: f64| {
+        let dense = answer["dense"].as_array().unwrap();
+        let run = dense.iter().find(|run| run["integrator"] == integrator && run["nt"] == nt);
+        run.unwrap()["rate_per_s"].as_f64().unwrap()
+    };
+    // Known over a whole second: +3.6 % at N_t = 10, 3e-5 at 50 (other seeds and times: 3 to 5 %).
+    for integrator in ["symplectic-euler", "velocity-verlet"] {
+        assert!((0.02..0.08).contains(&rate(integrator, 10.0)), "{integrator}: {answer}");
+    }
+    assert!(rate("symplectic-euler", 50.0).abs() < 0.004, "{answer}"); // a swing of the bed
+    // Explicit Euler gains 22 % at a bounce: four bounces double the energy.
+    let doubled = answer["doubled"].as_array().unwrap();
+    let guide = doubled.iter().find(|run| run["case"] == "box" && run["nt"] == 50.0).unwrap();
+    assert!((0.1..1.0).contains(&guide["time_s"].as_f64().unwrap()), "{guide}");
+    // What damping takes is many times what is missing.
+    let [taken, missing] =
+        ["taken", "final_error"].map(|key| answer["damped"][key].as_f64().unwrap());
+    assert!(taken > 0.3 && missing.abs() < 2e-3, "{taken} {missing}");
+    let words = report["words"].to_string();
+    for part in [
+        "Many contacts add such errors up.",
+        "a matter of dt, not of the method",
+        "N_t = 50 was, of those tried",
+        "What damping takes is no error",
+    ] {
+        assert!(words.contains(part), "{part:?} is not in {words}");
+    }
 }
 
 #[test]

@@ -44,21 +44,21 @@ const TWIN_TIME: f64 = 2.0;
 /// What may be chosen; what is `None` is as in the guide.
 #[derive(Clone, Debug, Default)]
 pub struct StudySettings {
-    /// Discs of the dense box [1000].
+    /// Discs of the dense box (1000).
     pub n: Option<i64>,
-    /// Seed of the discs' places [1]: fixed, so that two students compare.
+    /// Seed of the discs' places (1): fixed, so that two students compare.
     pub seed: Option<i64>,
-    /// Radius [1e-4 m, and 5e-4 m in the dense box].
+    /// Radius (1e-4 m, and 5e-4 m in the dense box).
     pub radius: Option<Quantity<Length>>,
-    /// Mass [1e-3 kg].
+    /// Mass (1e-3 kg).
     pub mass: Option<Quantity<Mass>>,
-    /// Stiffness [5e4 N/m].
+    /// Stiffness (5e4 N/m).
     pub kn: Option<Quantity<Stiffness>>,
-    /// Simulated time of both boxes [1 s, and 0.2 s for the dense one].
+    /// Simulated time of both boxes (1 s, and 0.2 s for the dense one).
     pub time: Option<Quantity<Time>>,
-    /// Restitution of the damped boxes [0.9].
+    /// Restitution of the damped boxes (0.9).
     pub restitution: Option<f64>,
-    /// N_t of Eq. (2), ascending [10, 20, 50, 100].
+    /// N_t of Eq. (2), ascending (10, 20, 50, 100).
     pub nt: Vec<f64>,
 }
 

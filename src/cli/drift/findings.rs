@@ -40,6 +40,10 @@ pub(super) struct Findings {
     pub doubled: Vec<Doubled>,
     /// The elastic dense box.
     pub dense_discs: usize,
+    pub dense_time_s: f64,
+    /// Time to fall through the box: before, the discs have hardly met.
+    pub fall_time_s: f64,
+    /// Empty if the later half of the run begins before that time.
     pub dense: Vec<Heating>,
     pub saw_tooth: Fall,
     pub damped: Damped,
@@ -118,6 +122,7 @@ impl Findings {
         let (elastic, damped) = (eq_3(Case::Box, 1.0), eq_3(Case::Dense, study.restitution()));
         let fall = study.saw_tooth(nt)?;
         let [guide, dense] = study.boxes();
+        let fall_time = (2.0 * dense.side / dense.gravity).sqrt();
         let residue = |(_, course): &Outcome| (course.work_error / course.energy_at_start).abs();
         Ok(Self {
             nt,
@@ -127,7 +132,9 @@ impl Findings {
             box_time_s: guide.time,
             doubled: doubled(outcomes),
             dense_discs: dense.n(),
-            dense: heating(outcomes),
+            dense_time_s: dense.time,
+            fall_time_s: fall_time,
+            dense: if dense.time > 2.0 * fall_time { heating(outcomes) } else { Vec::new() },
             saw_tooth: Fall {
                 speed_m_per_s: fall.speed,
                 measured_J: fall.measured,
