@@ -47,6 +47,25 @@ fn one_contact_shows_each_integrators_order_after_it_and_inside() {
 }
 
 #[test]
+fn the_worse_of_two_courses_has_the_larger_errors_with_their_signs() {
+    let course = |largest_error, final_error| Course {
+        dt: 1e-5,
+        largest_error,
+        final_error,
+        energy_at_start: 1.0,
+        dissipated: 0.0,
+        work_error: final_error * 1e-12,
+        stopped_at: None,
+        curve: Vec::new(),
+    };
+    let (a, b) = (course(0.3, 0.01), course(0.2, -0.02));
+    for worse in [a.clone().worse(&b), b.worse(&a)] {
+        assert_eq!((worse.largest_error, worse.final_error), (0.3, -0.02));
+        assert_eq!(worse.work_error, -0.02 * 1e-12);
+    }
+}
+
+#[test]
 fn one_contact_shows_the_known_errors_at_n_t_50() {
     let courses = contacts(&[50.0]);
     let errors = |case, integrator| {

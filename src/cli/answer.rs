@@ -8,7 +8,8 @@ use crate::simulation::Simulation;
 
 /// Theory beside measurement for this scenario; nothing where theory has none.
 pub(super) fn of(scenario: &Scenario) -> Answer {
-    if scenario.n() > 2 {
+    let nobody_asks = scenario.output.quiet && !scenario.output.json;
+    if scenario.n() > 2 || nobody_asks {
         return Answer::default();
     }
     let build = |discs, dt| -> Option<Simulation> {
