@@ -5,11 +5,13 @@
 //! contact hangs on where in a step it begins, so that each is stepped from several phases and
 //! the worst error counts for the order.
 
+mod expected;
+mod seen;
+
 use glam::DVec2;
 use serde::Serialize;
 
-use super::bounce::{Bounce, Touch};
-use super::collision::ContactEnd;
+use self::expected::Expected;
 use super::line::Line;
 use crate::particle::{Particle, SpringDashpot};
 use crate::simulation::Simulation;
@@ -25,9 +27,6 @@ const FINER: [f64; 3] = [1.0, 2.0, 4.0];
 
 /// More steps than this in all, and no answer is given: some seconds.
 const MOST_STEPS: f64 = 3e7;
-
-/// Heights after a bounce, at most.
-const HEIGHTS: usize = 3;
 
 /// A relative error below this is rounding, and has no order.
 const ROUND_OFF: f64 = 1e-11;
@@ -84,21 +83,6 @@ impl Answer {
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
-}
-
-/// The first contact of a run, as theory sees it.
-struct Expected {
-    /// The plane's unit normal, outward; `None` for a pair.
-    wall: Option<DVec2>,
-    touch: Touch,
-    bounce: Bounce,
-    /// When it begins and when all that is compared has happened, s.
-    begins: f64,
-    ends: f64,
-    /// Heights of the centre at the apexes after it, m.
-    heights: Vec<f64>,
-    /// Angle by which the line of centres turns while the contact lasts.
-    turn: f64, // rad
 }
 
 impl Question {
@@ -210,254 +194,6 @@ impl Question {
         }
         discs
     }
-
-    fn expected(&self) -> Option<Expected> {
-        match self.discs[..] {
-            [disc] => self.bounce_of(&disc),
-            [i, j] => self.meeting_of(&i, &j),
-            _ => None,
-        }
-    }
-
-    /// The contact that `speed`, `push` and `reduced_mass` describe.
-    fn touch(&self, reduced_mass: f64, speed: f64, push: f64) -> Touch {
-        Touch {
-            stiffness: self.law.stiffness,
-            eta: self.law.damping.coefficient(self.law.stiffness, reduced_mass),
-            reduced_mass,
-            speed,
-            push,
-            end: if self.law.tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero },
-        }
-    }
-
-    /// One disc and the wall it comes to first.
-    fn bounce_of(&self, disc: &Particle) -> Option<Expected> {
-        let [(begins, wall), (next, _), ..] = self.walls_ahead(disc)?[..] else { return None };
-        let speed = (disc.velocity + begins * self.gravity).dot(wall);
-        let touch = self.touch(disc.mass, speed, self.gravity.dot(wall));
-        let bounce = touch.bounce();
-        let ends = begins + self.length(&bounce, &touch);
-        if begins.is_nan() || speed <= 0.0 || ends >= next.min(self.time) {
-            return None;
-        }
-        let mut expected =
-            Expected { wall: Some(wall), touch, bounce, begins, ends, heights: vec![], turn: 0.0 };
-        if wall == DVec2::NEG_Y && self.gravity.y < 0.0 {
-            self.add_heights(disc, &mut expected);
-        }
-        Some(expected)
-    }
-
-    /// How long to look: to the end of the contact, or to the deepest point if it has none.
-    fn length(&self, bounce: &Bounce, touch: &Touch) -> f64 {
-        let swing = (touch.reduced_mass / touch.stiffness).sqrt();
-        bounce.parting.map_or(10.0 * swing, |parting| parting.apart + swing)
-    }
-
-    /// The apexes after the first bounces off the floor, as long as no other wall and no end of the run
-    /// comes between.
-    fn add_heights(&self, disc: &Particle, expected: &mut Expected) {
-        let (g, mut touch, mut begins) = (-self.gravity.y, expected.touch, expected.begins);
-        for _ in 0..HEIGHTS {
-            let Some(parting) = touch.bounce().parting else { return };
-            let height = disc.radius + 0.5 * parting.speed * parting.speed / g;
-            let apex = begins + parting.apart + parting.speed / g;
-            // A while longer, so that the apex is seen; a disc that moves along meets a side wall.
-            let seen = apex + 0.1 * parting.speed / g;
-            let x = disc.position.x + seen * disc.velocity.x;
-            let free = self.side.is_some_and(|side| {
-                (disc.radius..side - disc.radius).contains(&x) && height < side - disc.radius
-            });
-            // A bounce of some steps' height is no height.
-            if !free || seen >= self.time || parting.speed / g < 50.0 * self.dt {
-                return;
-            }
-            expected.heights.push(height);
-            expected.ends = seen;
-            begins += parting.apart + 2.0 * parting.speed / g;
-            touch.speed = parting.speed;
-        }
-    }
-
-    /// When a disc in free flight would touch each wall, s, earliest first, with the wall's normal.
-    /// `None` without walls, in a push that is not along y, or in contact at the start.
-    fn walls_ahead(&self, disc: &Particle) -> Option<Vec<(f64, DVec2)>> {
-        let side = self.side.filter(|_| self.gravity.x == 0.0)?;
-        let room = side - 2.0 * disc.radius;
-        let from_low = disc.position - DVec2::splat(disc.radius);
-        let mut walls = Vec::new();
-        for (gap, normal) in [
-            (from_low.x, DVec2::NEG_X),
-            (room - from_low.x, DVec2::X),
-            (from_low.y, DVec2::NEG_Y),
-            (room - from_low.y, DVec2::Y),
-        ] {
-            if gap < 0.0 {
-                return None;
-            }
-            let (speed, push) = (disc.velocity.dot(normal), self.gravity.dot(normal));
-            walls.push((time_to_cover(gap, speed, push), normal));
-        }
-        walls.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Some(walls)
-    }
-
-    /// Two discs, away from the walls. In their fall together gravity does not show.
-    fn meeting_of(&self, i: &Particle, j: &Particle) -> Option<Expected> {
-        let (apart, velocity) = (j.position - i.position, i.velocity - j.velocity);
-        let reach = i.radius + j.radius;
-        // |apart - velocity t| = reach, the earlier root.
-        let (half_b, c) = (apart.dot(velocity), apart.length_squared() - reach * reach);
-        let square = velocity.length_squared();
-        let begins = c / (half_b + (half_b * half_b - square * c).sqrt());
-        if c < 0.0 || half_b <= 0.0 || begins.is_nan() {
-            return None; // in contact, parting, or passing by
-        }
-        let normal = (apart - begins * velocity) / reach;
-        let reduced_mass = i.mass * j.mass / (i.mass + j.mass);
-        let touch = self.touch(reduced_mass, velocity.dot(normal), 0.0);
-        let bounce = touch.bounce();
-        let ends = begins + self.length(&bounce, &touch);
-        // Softer discs pass through each other.
-        let is_soft = bounce.depth > 0.9 * reach;
-        let next = [i, j].map(|disc| match self.side {
-            Some(_) => self.walls_ahead(disc).map_or(0.0, |walls| walls[0].0),
-            None => f64::INFINITY,
-        });
-        let is_clear = ends < next[0].min(next[1]).min(self.time);
-        let is_glancing = touch.speed < 0.1 * velocity.length();
-        (is_clear && !is_soft && !is_glancing).then_some(Expected {
-            wall: None,
-            touch,
-            bounce,
-            begins,
-            ends,
-            heights: Vec::new(),
-            turn: velocity.perp_dot(normal).abs() * (ends - begins) / reach,
-        })
-    }
-
-    /// Depth, duration, restitution and heights of a stepped run, as far as theory has them; not a
-    /// number where the run does not get so far.
-    fn measure(&self, expected: &Expected, mut run: Simulation, ahead: f64) -> Vec<f64> {
-        let mut seen = Seen::default();
-        let mut before = self.state(expected, &run);
-        let (end, bounces) = (expected.ends - ahead, expected.heights.len());
-        // A method that gains energy flies higher, and longer.
-        while run.time() < end || (seen.heights.len() < bounces && run.time() < 1.5 * end) {
-            run.step();
-            let now = self.state(expected, &run);
-            seen.look(before, now, run.time(), run.dt(), expected);
-            before = now;
-        }
-        let or_nothing = |value: Option<f64>| value.unwrap_or(f64::NAN);
-        let mut measured = vec![seen.depth / self.smaller_radius()];
-        if expected.bounce.parting.is_some() {
-            let e = or_nothing(seen.parting_speed) / or_nothing(seen.touch_speed);
-            measured.extend([or_nothing(seen.duration), e]);
-        }
-        measured.extend((0..bounces).map(|k| or_nothing(seen.heights.get(k).copied())));
-        measured
-    }
-
-    /// Gap, m, approach speed, m/s, and height of disc 0, m.
-    fn state(&self, expected: &Expected, run: &Simulation) -> State {
-        match (expected.wall, run.particles()) {
-            (None, [i, j, ..]) => {
-                let apart = j.position - i.position;
-                let distance = apart.length();
-                State {
-                    gap: distance - i.radius - j.radius,
-                    speed: (i.velocity - j.velocity).dot(apart / distance),
-                    height: 0.0,
-                }
-            }
-            (wall, discs) => {
-                let (disc, normal) = (&discs[0], wall.unwrap_or(DVec2::NEG_Y));
-                let plane = if normal.min_element() < 0.0 { 0.0 } else { self.side.unwrap_or(0.0) };
-                State {
-                    gap: plane - disc.position.dot(normal) - disc.radius,
-                    speed: disc.velocity.dot(normal),
-                    height: disc.position.y,
-                }
-            }
-        }
-    }
-}
-
-/// The relevant part of a state.
-#[derive(Clone, Copy, Debug)]
-struct State {
-    gap: f64,    // m
-    speed: f64,  // m/s, approaching
-    height: f64, // m
-}
-
-/// What was seen so far.
-#[derive(Debug, Default)]
-struct Seen {
-    depth: f64,                 // m
-    touched_at: Option<f64>,    // s
-    touch_speed: Option<f64>,   // m/s
-    duration: Option<f64>,      // s
-    parting_speed: Option<f64>, // m/s
-    heights: Vec<f64>,          // m
-    highest: Option<f64>,       // m, since the last bounce, while rising
-}
-
-impl Seen {
-    /// Takes in one step, from `before` to `now` at `time` s.
-    fn look(&mut self, before: State, now: State, time: f64, dt: f64, expected: &Expected) {
-        let Touch { push, stiffness, eta, end, .. } = expected.touch;
-        if self.duration.is_none() {
-            self.depth = self.depth.max(-now.gap);
-        }
-        if before.gap >= 0.0 && now.gap < 0.0 && self.touched_at.is_none() {
-            let part = before.gap / (before.gap - now.gap);
-            self.touched_at = Some(time - (1.0 - part) * dt);
-            // Until the touch there is only the push.
-            self.touch_speed = Some(before.speed + part * dt * push);
-        }
-        let hold = |state: State| match end {
-            ContactEnd::OverlapZero => -state.gap,
-            ContactEnd::ForceZero => eta * state.speed - stiffness * state.gap,
-        };
-        if let (Some(touched_at), None, true) = (self.touched_at, self.duration, hold(now) <= 0.0) {
-            let part = hold(before) / (hold(before) - hold(now));
-            self.duration = Some(time - (1.0 - part) * dt - touched_at);
-        }
-        if before.gap < 0.0 && now.gap >= 0.0 && self.parting_speed.is_none() {
-            // Here, too, there is only the push: back to where the surfaces parted.
-            let rest = now.gap / (now.gap - before.gap);
-            self.parting_speed = Some(rest * dt * push - now.speed);
-        }
-        if before.gap < 0.0 && now.gap >= 0.0 {
-            self.highest = Some(now.height);
-        }
-        if let Some(highest) = self.highest {
-            if now.height >= highest {
-                self.highest = Some(now.height);
-            } else {
-                self.heights.push(highest);
-                self.highest = None;
-            }
-        }
-    }
-}
-
-/// Time, s, to cover `gap` (m) from `speed` (m/s) under `push` (m/s2); infinite if it never is.
-fn time_to_cover(gap: f64, speed: f64, push: f64) -> f64 {
-    let square = speed * speed + 2.0 * push * gap;
-    if square < 0.0 {
-        return f64::INFINITY; // turns back before
-    }
-    let time = if push > 0.0 && speed < 0.0 {
-        (square.sqrt() - speed) / push // away first
-    } else {
-        2.0 * gap / (speed + square.sqrt())
-    };
-    if time >= 0.0 && time.is_finite() { time } else { f64::INFINITY }
 }
 
 /// The order of `(ln dt, error)`; none where an error is round-off.
