@@ -49,7 +49,7 @@ pub(super) struct DriftArguments {
     /// Steps in a wall contact, N_t of Eq. (2), from 4 to 1000 [default: 10,20,50,100; --twin: 50]
     #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
     nt: Vec<Quantity<Number>>,
-    /// Simulated time of the boxes [default: 1, and 0.2 for the dense one; --twin: 2]
+    /// Simulated time of the boxes [default: 0.5, and 0.2 for the dense one; --twin: 2]
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     time: Option<Quantity<Time>>,
     /// Restitution of the damped runs, 0 < e <= 1 [default: 0.9; --twin: 1]
