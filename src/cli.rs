@@ -7,6 +7,7 @@ mod drift;
 mod interrupt;
 mod plot;
 mod presets;
+mod report;
 mod run;
 mod stepping;
 mod watch;
@@ -37,6 +38,7 @@ pub fn run() -> ExitCode {
         Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
         Some(Command::Drift(arguments)) => drift::run(&arguments),
         Some(Command::Plot(arguments)) => plot::plot(&arguments),
+        Some(Command::Report(arguments)) => report::report(&arguments),
         Some(Command::Presets) => presets::print(),
     };
     match done {
@@ -92,6 +94,9 @@ enum Command {
     Drift(Box<drift::DriftArguments>),
     /// Draw what a run wrote: SVG, animated GIF, and gnuplot scripts
     Plot(Box<plot::PlotArguments>),
+    /// Write one HTML page of a run, to hand in: parameters, diagnosis, pictures
+    #[command(after_help = report::EXAMPLES)]
+    Report(report::ReportArguments),
     /// List the presets and their numbers
     Presets,
     /// Say which optional programs are there, and what each is good for
@@ -107,6 +112,8 @@ enum Failure {
     Output(#[from] OutputError),
     #[error(transparent)]
     Plot(#[from] plot::PlotError),
+    #[error(transparent)]
+    Report(#[from] report::ReportError),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
     UnknownCommand { word: String, known: String, advice: String },
     #[error("{0}")]
@@ -136,9 +143,11 @@ impl Failure {
             Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong(_) => {
                 ExitCode::FAILURE
             }
-            Self::Scenario(_) | Self::Output(_) | Self::Plot(_) | Self::UnknownCommand { .. } => {
-                ExitCode::from(2)
-            }
+            Self::Scenario(_)
+            | Self::Output(_)
+            | Self::Plot(_)
+            | Self::Report(_)
+            | Self::UnknownCommand { .. } => ExitCode::from(2),
         }
     }
 }

@@ -39,6 +39,7 @@ pub mod force;
 pub mod integrator;
 pub mod neighbours;
 pub mod output;
+pub mod page;
 pub mod particle;
 pub mod placement;
 pub mod scenario;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 14] = [
+const ARROWS: [(&str, &[&str]); 15] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -29,7 +29,8 @@ const ARROWS: [(&str, &[&str]); 14] = [
         ],
     ),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
-    ("cli", &["scenario", "simulation", "analysis", "output", "figure"]),
+    ("page", &["output", "figure", "scenario"]),
+    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page"]),
     ("main", &[]),
     ("lib", &[]),
 ];

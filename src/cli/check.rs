@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::Failure;
 use super::run::{RunArguments, scenario};
-use crate::scenario::diagnosis::{CAVEAT, Diagnosis};
+use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 
 pub(super) const EXAMPLES: &str = "\
@@ -84,20 +84,6 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis) -> io::Result<()> {
         writeln!(out, "`run` refuses this; --allow-unstable runs it anyway, for the lesson")?;
     }
     Ok(())
-}
-
-/// A number in four digits, or a dash.
-fn cell(value: Option<f64>) -> String {
-    match value {
-        None => "-".to_owned(),
-        Some(value) if value.is_infinite() => "never ends".to_owned(),
-        Some(0.0) => "0".to_owned(),
-        Some(value) if (1e-2..1e5).contains(&value.abs()) => {
-            let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 5) as usize;
-            format!("{value:.digits$}")
-        }
-        Some(value) => format!("{value:.3e}"),
-    }
 }
 
 /// `text` in lines of at most 80 characters.

@@ -15,10 +15,12 @@ use self::arguments::{
     TrajectoryArguments, VelocityArguments,
 };
 pub(super) use self::error::PlotError;
-use self::input::{FrameFile, one_file, read_table};
+pub(super) use self::input::FrameFile;
+use self::input::{one_file, read_table};
 use self::progress::Progress;
 pub(super) use self::target::Target;
 use super::Failure;
+use crate::analysis::energy::LedgerRow;
 use crate::figure::animation::{self, Animation};
 use crate::figure::forces::{discs, links};
 use crate::figure::frame::{Choice, ColourBy, has_velocities};
@@ -161,28 +163,29 @@ fn plot_animation(arguments: &TrajectoryArguments) -> Result<(), Failure> {
     }
 }
 
+/// The finite rows of an energy ledger, at least two.
+pub(super) fn ledger(path: &Path) -> Result<Vec<LedgerRow>, Failure> {
+    let mut rows = read_table(path, "energy", crate::output::energy::read)?;
+    let read = rows.len();
+    rows.retain(energy::is_finite);
+    if rows.len() < 2 {
+        let why = format!("{} of its {read} rows are finite; two are needed", rows.len());
+        return Err(PlotError::bad_file(path, &why, "another run, with a smaller time step").into());
+    }
+    if rows.len() < read {
+        let left_out = read - rows.len();
+        input::remark(&format!(
+            "{}: {left_out} rows that are not finite are left out",
+            path.display()
+        ));
+    }
+    Ok(rows)
+}
+
 fn plot_energy(arguments: &EnergyArguments) -> Result<(), Failure> {
     let target = Target::new(arguments.out.as_deref(), "energy", "svg")?;
-    let ledger = |path: &PathBuf| {
-        let mut rows = read_table(path, "energy", crate::output::energy::read)?;
-        let read = rows.len();
-        rows.retain(energy::is_finite);
-        if rows.len() < 2 {
-            let why = format!("{} of its {read} rows are finite; two are needed", rows.len());
-            return Err(
-                PlotError::bad_file(path, &why, "another run, with a smaller time step").into()
-            );
-        }
-        if rows.len() < read {
-            let left_out = read - rows.len();
-            input::remark(&format!(
-                "{}: {left_out} rows that are not finite are left out",
-                path.display()
-            ));
-        }
-        Ok((path.display().to_string(), rows))
-    };
-    let runs = arguments.files.iter().map(ledger).collect::<Result<Vec<_>, Failure>>()?;
+    let named = |path: &PathBuf| Ok((path.display().to_string(), ledger(path)?));
+    let runs = arguments.files.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
     let data = arguments.files.iter().map(|path| target.data(path));
     let data = data.collect::<Result<Vec<_>, PlotError>>()?;
     match (runs.as_slice(), data.as_slice()) {
@@ -221,31 +224,37 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     target.write(&forces::figure(&one, &links), &script)
 }
 
+/// The speeds of all frames, up to number `until`.
+pub(super) fn pooled_speeds(file: &FrameFile, until: Option<usize>) -> Result<Histogram, Failure> {
+    let mut moments = Moments::default();
+    let mut has_them = true;
+    file.each_frame(until, |_, frame| {
+        moments.add(&frame);
+        has_them &= has_velocities(&frame);
+        Ok(())
+    })?;
+    if !has_them {
+        return Err(PlotError::no_velocities(&file.path, "trajectory.txt has them").into());
+    }
+    let mut histogram = Histogram::new(moments);
+    file.each_frame(until, |_, frame| {
+        histogram.add(&frame);
+        Ok(())
+    })?;
+    Ok(histogram)
+}
+
 fn plot_speeds(arguments: &SpeedsArguments) -> Result<(), Failure> {
     let file = FrameFile::named(one_file("speeds", &arguments.files)?);
     let target = Target::new(arguments.out.as_deref(), "speeds", "svg")?;
-    let mut moments = Moments::default();
     let (time, histogram) = if arguments.pool {
-        let mut has_them = true;
-        file.each_frame(arguments.until, |_, frame| {
-            moments.add(&frame);
-            has_them &= has_velocities(&frame);
-            Ok(())
-        })?;
-        if !has_them {
-            return Err(PlotError::no_velocities(&file.path, "trajectory.txt has them").into());
-        }
-        let mut histogram = Histogram::new(moments);
-        file.each_frame(arguments.until, |_, frame| {
-            histogram.add(&frame);
-            Ok(())
-        })?;
-        (None, histogram)
+        (None, pooled_speeds(&file, arguments.until)?)
     } else {
         let (_, one) = file.frame(arguments.frame)?;
         if !has_velocities(&one) {
             return Err(PlotError::no_velocities(&file.path, "trajectory.txt has them").into());
         }
+        let mut moments = Moments::default();
         moments.add(&one);
         let mut histogram = Histogram::new(moments);
         histogram.add(&one);

@@ -12,6 +12,7 @@ use super::stepping::Stepping;
 use super::watch::placing_spinner;
 use super::{Failure, answer};
 use crate::analysis::energy::MechanicalEnergy;
+use crate::output::record;
 use crate::output::recorder::Recorder;
 use crate::output::summary::Summary;
 use crate::scenario::settings::Settings;
@@ -48,7 +49,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     stepping.go(|| interrupt.is_raised())?;
 
     let summary = summary(&scenario, &stepping, start);
-    stepping.record_results(&summary.results())?;
+    let command = format!("{} = {}", record::COMMAND, typed());
+    stepping.record_results(&[vec![command], summary.results()].concat())?;
     match report(&scenario, &summary) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
         done => done?,
@@ -64,6 +66,31 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
             Ok(ExitCode::from(if is_done { 0 } else { 130 }))
         }
     }
+}
+
+/// The command as it was typed, without the folder it wrote to: what a run leaves behind depends on
+/// no path of the machine.
+fn typed() -> String {
+    let mut words = vec!["parsim2d".to_owned()];
+    let mut said = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
+    while let Some(word) = said.next() {
+        match word.as_str() {
+            "--out-dir" => drop(said.next()),
+            word if word.starts_with("--out-dir=") => {}
+            word => words.push(quoted(word)),
+        }
+    }
+    words.join(" ")
+}
+
+/// `word` as a shell takes it for one, on one line.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./:=+,%@".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    let one_line = word.replace(|c: char| c.is_control(), " ");
+    format!("'{}'", one_line.replace('\'', r"'\''"))
 }
 
 /// Flags over file over preset; and whether the seed was drawn.

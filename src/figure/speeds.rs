@@ -103,7 +103,8 @@ impl Histogram {
         self.width
     }
 
-    fn is_at_rest(&self) -> bool {
+    /// Whether no disc moves in any frame.
+    pub fn is_at_rest(&self) -> bool {
         self.moments.largest == 0.0
     }
 

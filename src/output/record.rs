@@ -11,6 +11,9 @@ use super::replace::replace;
 /// Its name in the output folder.
 pub const FILE: &str = "last-run.toml";
 
+/// The result that is the command as it was typed.
+pub const COMMAND: &str = "command";
+
 const RESULT: &str = "# result: ";
 
 /// Writes the scenario `text` and `results`, each `NAME = VALUE`, into `folder`.

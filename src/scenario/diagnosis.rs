@@ -184,3 +184,17 @@ fn grade(value: f64, coarse: f64, unstable: f64) -> Verdict {
         _ => Verdict::Unstable,
     }
 }
+
+/// A number in four digits, or a dash.
+pub fn cell(value: Option<f64>) -> String {
+    match value {
+        None => "-".to_owned(),
+        Some(value) if value.is_infinite() => "never ends".to_owned(),
+        Some(0.0) => "0".to_owned(),
+        Some(value) if (1e-2..1e5).contains(&value.abs()) => {
+            let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 5) as usize;
+            format!("{value:.digits$}")
+        }
+        Some(value) => format!("{value:.3e}"),
+    }
+}

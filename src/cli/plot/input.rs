@@ -75,7 +75,7 @@ pub(super) fn read_table<T>(
 }
 
 /// A file of frames.
-pub(super) struct FrameFile {
+pub struct FrameFile {
     /// Its path as said.
     pub path: PathBuf,
 }
