@@ -1,6 +1,8 @@
 //! What several test files share: small set-ups with one contact, and the guide's numbers.
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod plotting;
+
 use glam::DVec2;
 use parsim2d::force::{Contacts, Force, HalfPlane, Walls};
 use parsim2d::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
