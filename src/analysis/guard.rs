@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::energy::MechanicalEnergy;
+use super::energy::{LedgerRow, MechanicalEnergy};
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
 use crate::simulation::{Simulation, State};
@@ -133,7 +133,15 @@ impl Guard {
 
     fn wrong(&self, simulation: &Simulation) -> Option<Wrong> {
         let mechanical = MechanicalEnergy::of(simulation).total();
-        let total = mechanical + dissipated(simulation).unwrap_or(0.0);
+        self.judged(simulation, mechanical, mechanical + dissipated(simulation).unwrap_or(0.0))
+    }
+
+    /// What is wrong with the state whose energies are in `row`; costs nothing.
+    pub fn judgement(&self, simulation: &Simulation, row: &LedgerRow) -> Option<Wrong> {
+        self.judged(simulation, row.total_J - row.dissipated_J, row.total_J)
+    }
+
+    fn judged(&self, simulation: &Simulation, mechanical: f64, total: f64) -> Option<Wrong> {
         let most = self.energy_at_start + GROWTH * self.movable;
         if !mechanical.is_finite() || !total.is_finite() {
             Some(Wrong::NotFinite)

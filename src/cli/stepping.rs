@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::watch::Watch;
+use crate::analysis::energy::LedgerRow;
 use crate::analysis::guard::Guard;
 use crate::output::failure::FailureReport;
 use crate::output::recorder::Recorder;
@@ -33,16 +34,16 @@ impl<'a> Stepping<'a> {
     pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {
         let end = self.scenario.steps();
         while self.simulation.steps() < end && !stop() {
-            let due = self.recorder.next_due().min(self.guard.next_look(&self.simulation));
-            let until = due.min(self.watch.next_look(&self.simulation)).min(end);
-            self.watch.step_until(&mut self.simulation, until);
-            if self.failure.is_none() && until == due.min(end) {
-                self.look()?;
-                if self.is_stopped() {
-                    break;
-                }
+            let due = self.recorder.next_due().min(end);
+            self.step_until(self.watch.next_look(&self.simulation).min(due))?;
+            let row = self.recorder.row_due(&self.simulation);
+            if self.simulation.steps() == due {
+                self.look_before_writing(row.as_ref())?;
             }
-            self.recorder.record_due(&self.simulation)?;
+            if self.is_stopped() {
+                break;
+            }
+            self.recorder.record_due(&self.simulation, row.as_ref())?;
             if self.scenario.output.every.is_none() {
                 self.watch.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
             }
@@ -58,6 +59,27 @@ impl<'a> Stepping<'a> {
         Ok(self.recorder.record_results(results)?)
     }
 
+    /// Steps up to `until` while the guard looks on.
+    fn step_until(&mut self, until: u64) -> Result<(), Failure> {
+        while self.simulation.steps() < until && !self.is_stopped() {
+            let look = self.guard.next_look(&self.simulation);
+            self.watch.step_until(&mut self.simulation, look.min(until));
+            if self.simulation.steps() == look {
+                self.look()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What is written has been looked at. A line of the ledger knows the energies that the guard would
+    /// work out again.
+    fn look_before_writing(&mut self, row: Option<&LedgerRow>) -> Result<(), Failure> {
+        match row {
+            Some(row) if self.guard.judgement(&self.simulation, row).is_none() => Ok(()),
+            _ => self.look(),
+        }
+    }
+
     /// Whether something went wrong and the run was ended by it.
     pub fn is_stopped(&self) -> bool {
         self.failure.as_ref().is_some_and(|failure| failure.stopped)
@@ -66,6 +88,9 @@ impl<'a> Stepping<'a> {
     /// Lets the guard look. What it finds is written at once; if the run is to go on all the same,
     /// it comes back to where it was.
     fn look(&mut self) -> Result<(), Failure> {
+        if self.failure.is_some() {
+            return Ok(()); // once is enough
+        }
         let seen_at = self.simulation.steps();
         let Some(trouble) = self.guard.look(&mut self.simulation) else {
             return Ok(());

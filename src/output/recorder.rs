@@ -11,7 +11,7 @@ use super::live::LiveFrame;
 use super::record;
 use super::replace::NewFile;
 use super::trajectory::Trajectory;
-use crate::analysis::energy::EnergyLedger;
+use crate::analysis::energy::{EnergyLedger, LedgerRow};
 use crate::simulation::Simulation;
 
 /// What is to be written, where and how often.
@@ -98,8 +98,19 @@ impl Recorder {
         }
     }
 
-    /// Writes what is due at the present step.
-    pub fn record_due(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+    /// The ledger's line for the present step, if one is due.
+    pub fn row_due(&self, simulation: &Simulation) -> Option<LedgerRow> {
+        let (ledger, _) = self.energy.as_ref()?;
+        let is_due = simulation.steps() >= self.energy_at + self.plan.energy_every;
+        is_due.then(|| ledger.row(simulation))
+    }
+
+    /// Writes what is due at the present step; `row` is the ledger's line, if it is.
+    pub fn record_due(
+        &mut self,
+        simulation: &Simulation,
+        row: Option<&LedgerRow>,
+    ) -> Result<(), OutputError> {
         if simulation.steps() >= self.frame_at + self.plan.frame_every {
             self.append_frame(simulation)?;
             self.flush_energy()?; // whole rows for who reads along
@@ -107,8 +118,9 @@ impl Recorder {
                 self.live.refresh(simulation)?;
             }
         }
-        if simulation.steps() >= self.energy_at + self.plan.energy_every {
-            self.append_energy(simulation)?;
+        if let (Some(row), Some((_, file))) = (row, &mut self.energy) {
+            self.energy_at = row.step;
+            file.append(row)?;
         }
         Ok(())
     }
