@@ -64,9 +64,15 @@ impl Report {
     }
 
     fn results(&self, words: &Words) -> String {
+        let named = |(key, value): &(String, String)| {
+            let name = words.result_names.iter().find(|(known, _)| known == key);
+            let rounded = value.parse().ok().filter(|_| value.contains('.') || value.contains('e'));
+            let value = rounded.map_or(value.clone(), |number: f64| short(number));
+            (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), value)
+        };
         let text = match self.results.is_empty() {
             true => format!("<p>{}</p>\n", escaped(words.no_results)),
-            false => list(&self.results),
+            false => list(&self.results.iter().map(named).collect::<Vec<_>>()),
         };
         section(words.results, &text)
     }
@@ -140,6 +146,17 @@ fn section(heading: &str, text: &str) -> String {
 
 fn sentence(verdict: Verdict, text: &str) -> String {
     format!("<p><span class=\"verdict {verdict}\">{verdict}</span>: {}</p>\n", escaped(text))
+}
+
+/// Six digits.
+fn short(number: f64) -> String {
+    match number.abs() {
+        size if (1e-3..1e5).contains(&size) => {
+            let digits = (5 - size.log10().floor() as i32).clamp(0, 8) as usize;
+            format!("{number:.digits$}")
+        }
+        _ => format!("{number:.5e}"),
+    }
 }
 
 /// A size for a person.

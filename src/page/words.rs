@@ -18,6 +18,8 @@ pub struct Words {
     pub parameters: &'static str,
     /// Heading of the results.
     pub results: &'static str,
+    /// Names of the results, by their keys in the file of the run; others are shown under their keys.
+    pub result_names: [(&'static str, &'static str); 11],
     /// Said of a run without results.
     pub no_results: &'static str,
     /// Heading of the diagnosis.
@@ -61,6 +63,19 @@ pub const ENGLISH: Words = Words {
     repeats: "The same run again, from the file beside this page: ",
     parameters: "Parameters",
     results: "Results",
+    result_names: [
+        ("version", "version of parsim2d"),
+        ("steps", "time steps"),
+        ("time_s", "simulated time, s"),
+        ("energy_start_J", "mechanical energy at the start, J"),
+        ("energy_end_J", "mechanical energy at the end, J"),
+        ("dissipated_J", "taken by damping, J"),
+        ("energy_error_J", "change of the sum of all (integration error), J"),
+        ("max_overlap_over_r", "largest overlap, radii"),
+        ("state_hash", "fingerprint of the final state"),
+        ("went_wrong", "went wrong"),
+        ("interrupted", "interrupted"),
+    ],
     no_results: "The run has not ended; it left no results.",
     diagnosis: "Diagnosis",
     no_diagnosis: "The scenario cannot be read any more: ",
