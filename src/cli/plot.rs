@@ -29,6 +29,8 @@ use crate::figure::speeds::{Histogram, Moments};
 use crate::figure::survey::Survey;
 use crate::figure::{drift, energy, forces, frame, paths, speeds, velocity};
 use crate::output::frames::Frame;
+use crate::output::record;
+use crate::scenario::file::read as read_scenario;
 
 /// Draws what was asked for.
 pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
@@ -213,7 +215,8 @@ fn plot_velocity(arguments: &VelocityArguments) -> Result<(), Failure> {
 fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     let file = FrameFile::named(one_file("forces", &arguments.files)?);
     let target = Target::new(arguments.out.as_deref(), "forces", "svg")?;
-    let scenario = arguments.scenario()?;
+    let record = file.path.with_file_name(record::FILE);
+    let scenario = arguments.scenario(read_scenario(&record).ok())?;
     let (_, one) = file.frame(arguments.frame)?;
     if !has_velocities(&one) {
         input::remark("the frame has no velocities; dashpots are taken to be at rest");

@@ -165,18 +165,18 @@ pub struct ForcesArguments {
     /// Which frame, from 0 [default: the last]
     #[arg(long, value_name = "K")]
     pub frame: Option<usize>,
-    /// The run's set of parameters [default: guide]
+    /// The run's set of parameters [default: that of last-run.toml beside the file, or guide]
     #[arg(long, value_enum, value_name = "P", help_heading = "The run's contact law")]
     pub preset: Option<Preset>,
-    /// Mass of a disc, m [default: 1e-3]
+    /// Mass of a disc, m [default: the run's]
     #[arg(long, value_name = "KG", allow_hyphen_values = true)]
     #[arg(help_heading = "The run's contact law")]
     pub mass: Option<Quantity<Mass>>,
-    /// Normal stiffness, k_n [default: 5e4]
+    /// Normal stiffness, k_n [default: the run's]
     #[arg(long, value_name = "N/M", allow_hyphen_values = true, aliases = ["k_n", "k-n"])]
     #[arg(help_heading = "The run's contact law")]
     pub kn: Option<Quantity<Stiffness>>,
-    /// Normal damping, eta_n [default: 1.5e-3]
+    /// Normal damping, eta_n [default: the run's]
     #[arg(long, value_name = "KG/S", allow_hyphen_values = true, aliases = ["eta_n", "eta-n"])]
     #[arg(conflicts_with_all = ["gamma", "restitution"], help_heading = "The run's contact law")]
     pub eta: Option<Quantity<Coefficient>>,
@@ -201,8 +201,8 @@ pub struct ForcesArguments {
 
 impl ForcesArguments {
     /// A scenario with the law that was said.
-    pub fn scenario(&self) -> Result<Scenario, ScenarioError> {
-        let settings = Settings {
+    pub fn scenario(&self, run: Option<Settings>) -> Result<Scenario, ScenarioError> {
+        let flags = Settings {
             preset: self.preset,
             mass: self.mass,
             kn: self.kn,
@@ -211,11 +211,23 @@ impl ForcesArguments {
             restitution: self.restitution,
             no_tension: self.no_tension.then_some(true),
             no_walls: self.no_walls.then_some(true),
+            ..Settings::default()
+        };
+        let run = run.unwrap_or_default();
+        let law = Settings {
+            preset: run.preset,
+            mass: run.mass,
+            kn: run.kn,
+            eta: run.eta,
+            gamma: run.gamma,
+            restitution: run.restitution,
+            no_tension: run.no_tension,
+            walls: run.walls,
             // No time step is made here: none can be unstable, or too long for the time.
             allow_unstable: Some(true),
             time: "0".parse().ok(),
             ..Settings::default()
         };
-        Scenario::resolve(&settings, || 0)
+        Scenario::resolve(&flags.over(law), || 0)
     }
 }
