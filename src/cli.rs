@@ -10,6 +10,7 @@ mod presets;
 mod report;
 mod run;
 mod stepping;
+mod typed;
 mod watch;
 
 use std::io::{self, Write};

@@ -21,6 +21,9 @@ pub trait Force: Send {
 pub struct Tally {
     /// The largest overlap of two discs so far, as a fraction of the smaller radius.
     pub largest_pair_overlap: f64,
+    /// The same as a fraction of the sum of the radii, where it is more than the smaller radius: 1
+    /// once centres meet.
+    pub largest_sinking: f64,
     /// The largest overlap with a wall so far, as a fraction of the radius.
     pub largest_wall_overlap: f64,
     /// Spring and dashpot force on each disc, kept only while the work ledger is on.
@@ -73,6 +76,10 @@ impl<L: ContactLaw> Force for Contacts<L> {
             let smaller_radius = particles[i].radius.min(particles[j].radius);
             let relative_overlap = contact.overlap / smaller_radius;
             tally.largest_pair_overlap = tally.largest_pair_overlap.max(relative_overlap);
+            if relative_overlap > 1.0 {
+                let reach = particles[i].radius + particles[j].radius;
+                tally.largest_sinking = tally.largest_sinking.max(contact.overlap / reach);
+            }
             if let Some(shares) = &mut tally.shares {
                 let spring = self.law.spring(&contact);
                 shares[i].spring -= spring * contact.normal;

@@ -9,6 +9,7 @@ pub mod energy;
 pub mod failure;
 pub mod frames;
 pub mod live;
+pub mod marks;
 pub mod number;
 pub mod record;
 pub mod recorder;
@@ -44,7 +45,7 @@ pub enum OutputError {
         format: String,
     },
     /// During the run.
-    #[error("writing {} failed: {source}\n  the run stops here; what was written before is kept", path.display())]
+    #[error("writing {} failed: {source}\n  what was written before is kept; way out: more room, or another folder", path.display())]
     Write {
         /// The file.
         path: PathBuf,
@@ -63,7 +64,10 @@ fn rows<T: serde::de::DeserializeOwned>(
     let said: Vec<String> = said.iter().map(|name| name.trim().to_owned()).collect();
     let said = said.join(",");
     if said.trim_start_matches('\u{feff}') != header {
-        let start: String = said.chars().take(80).collect();
+        let mut start: String = said.chars().take(160).collect();
+        if start.len() < said.len() {
+            start.push_str("...");
+        }
         return Err(format!("its columns are {start}; they should be {header}"));
     }
     reader.deserialize().map(|row| row.map_err(|why| bad_row(&why))).collect()

@@ -18,13 +18,22 @@ pub const RANDOM_LIMIT: f64 = 0.547;
 const TRIES_PER_DISC: u64 = 3_000;
 const TRIES: std::ops::RangeInclusive<u64> = 1_000_000..=400_000_000;
 
+/// How far placement came, in words.
+fn progress(placed: usize, tried: u64) -> String {
+    match tried {
+        0 => "more than it can hold, so none was tried".to_owned(),
+        _ => format!("{placed} placed after {tried} tries"),
+    }
+}
+
 /// Why discs could not be placed.
 #[derive(Debug, Error, PartialEq)]
 pub enum PlacementError {
     /// Random placement found no more room.
     #[error(
-        "the box is too full for random placement: {asked} discs asked, {placed} placed after \
-         {tried} tries, packing fraction {fraction:.3} asked (random placement of equal discs ends near 0.547)"
+        "the box is too full for random placement: {asked} discs asked, {}, packing fraction \
+         {fraction:.3} asked (random placement of equal discs ends near 0.547)",
+        progress(*placed, *tried)
     )]
     NoRoomAtRandom {
         /// Discs asked for.

@@ -13,6 +13,7 @@ pub mod finding;
 pub mod judgement;
 pub mod notes;
 mod number;
+mod overlap;
 mod place;
 pub mod post_mortem;
 pub mod preset;
@@ -217,6 +218,15 @@ impl Scenario {
         range(self.species().iter().map(|species| species.radius))
     }
 
+    /// Whether the seed matters: anything is placed, or thrown, by the program.
+    pub fn is_random(&self) -> bool {
+        match &self.discs {
+            DiscSource::Equal(_) => true,
+            DiscSource::Listed(_, groups) => !groups.is_empty(),
+            DiscSource::Frame { .. } => self.speed > 0.0,
+        }
+    }
+
     /// The contact law, the same for pairs and walls.
     pub fn law(&self) -> SpringDashpot {
         SpringDashpot {
@@ -275,7 +285,8 @@ impl Scenario {
         (self.time / self.dt()).round() as u64
     }
 
-    /// What to write where and how often, with the defaults filled in.
+    /// What to write where and how often, with the defaults filled in; without a
+    /// [`record`](Self::record), which needs the discs.
     pub fn output_plan(&self) -> OutputPlan {
         let (n, steps, output) = (self.n(), self.steps(), &self.output);
         let frame_every = output.every.unwrap_or_else(|| trajectory::default_every(n, steps));
@@ -286,7 +297,7 @@ impl Scenario {
             energy_every: output.energy_every.unwrap_or_else(|| energy::default_every(steps)),
             side: self.side,
             border: output.border.then_some(self.radius),
-            record: self.record(),
+            record: String::new(),
         }
     }
 

@@ -186,6 +186,12 @@ impl Simulation {
         self.discs.tally.largest_pair_overlap
     }
 
+    /// How far the centres of two discs have come towards each other so far: their overlap over the
+    /// sum of their radii, 1 once they meet; 0 as long as no overlap was larger than a radius.
+    pub fn largest_sinking(&self) -> f64 {
+        self.discs.tally.largest_sinking
+    }
+
     /// The same at walls only.
     pub fn largest_wall_overlap(&self) -> f64 {
         self.discs.tally.largest_wall_overlap

@@ -29,7 +29,7 @@ const ARROWS: [(&str, &[&str]); 15] = [
         ],
     ),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
-    ("page", &["output", "figure", "scenario"]),
+    ("page", &["analysis", "output", "figure", "scenario"]),
     ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page"]),
     ("main", &[]),
     ("lib", &[]),

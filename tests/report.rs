@@ -98,7 +98,26 @@ fn a_run_that_went_wrong_is_reported_with_its_failure() {
     let (_folder, page) = report_of(&["--kn", "500", "--seed", "1"], 1);
     assert_whole(&page);
     assert!(page.contains(&format!("<h2>{}</h2>", ENGLISH.failure)));
-    assert!(page.contains("beyond-wall") && page.contains("&quot;fault&quot;: &quot;--kn&quot;"));
+    assert!(page.contains("<dt>parameter at fault</dt><dd>--kn</dd>"));
+    assert!(page.contains("<dt>its value</dt><dd>500</dd>"));
+}
+
+#[test]
+fn a_run_that_overflowed_is_reported_up_to_its_last_whole_frame() {
+    let lesson = ["--eta", "1.5e3", "--allow-unstable", "--seed", "1", "--time", "0.5"];
+    let (_folder, page) = report_of(&lesson, 0);
+    assert_whole(&page);
+    assert!(page.contains(ENGLISH.cut) && page.contains("<dd>--eta</dd>"));
+    let (_folder, page) = report_of(&["--time", "0", "--seed", "1"], 0);
+    assert_whole(&page);
+}
+
+#[test]
+fn one_disc_has_theory_beside_measurement_and_no_histogram() {
+    let (_folder, page) = report_of(&["-n", "1", "--radius", "5e-4", "--seed", "1"], 0);
+    assert_whole(&page);
+    assert!(page.contains(&format!("<h2>{}</h2>", ENGLISH.answer)));
+    assert!(page.contains("<td>restitution</td>") && page.contains(ENGLISH.no_speeds));
 }
 
 #[test]

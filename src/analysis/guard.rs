@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::energy::{LedgerRow, MechanicalEnergy};
+use super::energy::MechanicalEnergy;
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
 use crate::simulation::{Simulation, State};
@@ -17,23 +17,27 @@ pub const EVERY: u64 = 64;
 /// Looks between two states kept.
 const LOOKS_PER_STATE: u64 = 16;
 
-/// Two discs overlap by so many of the smaller radius: their centres coincide, or the smaller disc
-/// lies wholly inside the larger.
-pub const CROSSED: f64 = 2.0;
+/// Two discs have crossed once their overlap is this fraction of the sum of their radii: their centres
+/// have met, or passed within a twentieth of that.
+pub const CROSSED: f64 = 0.95;
 
 /// A disc overlaps a wall by so many radii: its centre is four radii beyond.
 pub const BEYOND: f64 = 5.0;
 
 /// The energy, with or without what damping took, has grown by this fraction of what could have moved
-/// the discs at the start.
+/// the discs, and stays so from one look to the next: inside a contact a coarse step may err by as
+/// much for a moment.
 pub const GROWTH: f64 = 1.0;
+
+/// Sums of energies are trusted to this fraction.
+const ROUNDING: f64 = 1e-9;
 
 /// In what way a run has gone wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrong {
     /// A number is infinite or none at all.
     NotFinite,
-    /// Two discs overlap by [`CROSSED`] radii or more.
+    /// The centres of two discs have met: [`CROSSED`].
     Crossed,
     /// A disc overlaps a wall by more than [`BEYOND`] radii.
     BeyondWall,
@@ -70,24 +74,30 @@ pub struct Trouble {
 
 /// Watches one run.
 pub struct Guard {
-    side: Option<f64>,    // m, of the box, if it has walls
-    energy_at_start: f64, // J
-    movable: f64,         // J, what could move the discs at the start
+    side: Option<f64>, // m, of the box, if it has walls
+    soft: bool,
+    start: MechanicalEnergy, // J
+    movable: f64,            // J, what could move the discs at the start
     kept: State,
     looks: u64,
+    /// The step of the last look, if the energy had grown then.
+    grown_at: Option<u64>,
 }
 
 impl Guard {
-    /// A guard of `simulation` from now on; `side` (m) of its box, if it has walls.
-    pub fn new(simulation: &Simulation, side: Option<f64>) -> Self {
-        let energy = MechanicalEnergy::of(simulation);
+    /// A guard of `simulation` from now on; `side` (m) of its box, if it has walls. Discs known to be
+    /// `soft` may pass through each other.
+    pub fn new(simulation: &Simulation, side: Option<f64>, soft: bool) -> Self {
+        let start = MechanicalEnergy::of(simulation);
         let height = height_to_fall(simulation, side);
         Self {
             side,
-            energy_at_start: energy.total(),
-            movable: energy.kinetic + energy.elastic + height,
+            soft,
+            start,
+            movable: start.kinetic + start.elastic + height,
             kept: simulation.state(),
             looks: 0,
+            grown_at: None,
         }
     }
 
@@ -99,61 +109,94 @@ impl Guard {
     /// Looks. If something is wrong, goes back with `simulation` to the last good step, the one before
     /// the trouble began.
     pub fn look(&mut self, simulation: &mut Simulation) -> Option<Trouble> {
-        let Some(wrong) = self.wrong(simulation) else {
-            self.looks += 1;
-            if self.looks % LOOKS_PER_STATE == 0 {
-                self.kept = simulation.state();
+        let before = self.grown_at.take();
+        match self.wrong(simulation) {
+            None => {
+                self.looks += 1;
+                if self.looks % LOOKS_PER_STATE == 0 {
+                    self.kept = simulation.state();
+                }
+                None
             }
-            return None;
-        };
-        Some(self.first_trouble(simulation, wrong))
-    }
-
-    /// Steps from the last state kept until something is wrong. A change from outside, or a force
-    /// that remembers more than the state, may not come by it again: then what was seen holds.
-    fn first_trouble(&self, simulation: &mut Simulation, at_last: Wrong) -> Trouble {
-        let seen = simulation.state();
-        simulation.set_state(&self.kept);
-        loop {
-            let before = simulation.state();
-            let energy_before = MechanicalEnergy::of(simulation).total();
-            simulation.step();
-            let mut wrong = self.wrong(simulation);
-            if wrong.is_none() && simulation.steps() >= seen.steps() {
-                simulation.set_state(&seen);
-                wrong = Some(at_last);
+            Some(Wrong::EnergyGrown) if before.is_none() => {
+                self.grown_at = Some(simulation.steps());
+                None
             }
-            if let Some(wrong) = wrong {
-                let trouble = self.trouble(wrong, simulation, energy_before);
-                simulation.set_state(&before);
-                return trouble;
-            }
+            Some(wrong) => self.first_trouble(simulation, wrong, before),
         }
     }
 
+    /// The last good step on the way from the state kept to the present one is where trouble began.
+    /// Energy that had come back since the look at step `grown_at` was no trouble.
+    fn first_trouble(
+        &mut self,
+        simulation: &mut Simulation,
+        at_last: Wrong,
+        grown_at: Option<u64>,
+    ) -> Option<Trouble> {
+        let seen = simulation.state();
+        let last_good = self.last_good_step(simulation, seen.steps());
+        if at_last == Wrong::EnergyGrown && grown_at.is_some_and(|step| last_good >= step) {
+            simulation.set_state(&seen);
+            (self.kept, self.grown_at) = (seen.clone(), Some(seen.steps()));
+            return None;
+        }
+        simulation.set_state(&self.kept);
+        while simulation.steps() < last_good {
+            simulation.step();
+        }
+        let before = simulation.state();
+        let energy_before = MechanicalEnergy::of(simulation).total();
+        simulation.step();
+        // A change from outside, or a force that remembers more than the state, may not come by the
+        // trouble again: then what was seen holds.
+        let wrong = self.wrong(simulation).unwrap_or_else(|| {
+            simulation.set_state(&seen);
+            at_last
+        });
+        let trouble = self.trouble(wrong, simulation, energy_before);
+        simulation.set_state(&before);
+        Some(trouble)
+    }
+
+    /// The last step before `end` after which nothing was wrong; that of the state kept at least.
+    fn last_good_step(&self, simulation: &mut Simulation, end: u64) -> u64 {
+        simulation.set_state(&self.kept);
+        let mut last_good = simulation.steps();
+        while simulation.steps() + 1 < end {
+            simulation.step();
+            if self.wrong(simulation).is_none() {
+                last_good = simulation.steps();
+            }
+        }
+        last_good
+    }
+
     fn wrong(&self, simulation: &Simulation) -> Option<Wrong> {
-        let mechanical = MechanicalEnergy::of(simulation).total();
-        self.judged(simulation, mechanical, mechanical + dissipated(simulation).unwrap_or(0.0))
-    }
-
-    /// What is wrong with the state whose energies are in `row`; costs nothing.
-    pub fn judgement(&self, simulation: &Simulation, row: &LedgerRow) -> Option<Wrong> {
-        self.judged(simulation, row.total_J - row.dissipated_J, row.total_J)
-    }
-
-    fn judged(&self, simulation: &Simulation, mechanical: f64, total: f64) -> Option<Wrong> {
-        let most = self.energy_at_start + GROWTH * self.movable;
+        let now = MechanicalEnergy::of(simulation);
+        let mechanical = now.total();
+        let total = mechanical + dissipated(simulation).unwrap_or(0.0);
         if !mechanical.is_finite() || !total.is_finite() {
             Some(Wrong::NotFinite)
-        } else if simulation.largest_pair_overlap() >= CROSSED {
+        } else if !self.soft && simulation.largest_sinking() >= CROSSED {
             Some(Wrong::Crossed)
         } else if simulation.largest_wall_overlap() > BEYOND {
             Some(Wrong::BeyondWall)
-        } else if mechanical.max(total) > most {
+        } else if mechanical.max(total) > self.most(&now) {
             Some(Wrong::EnergyGrown)
         } else {
             None
         }
+    }
+
+    /// The largest energy that is still right, J. Without walls gravity goes on giving.
+    fn most(&self, now: &MechanicalEnergy) -> f64 {
+        let fallen = match self.side {
+            Some(_) => 0.0,
+            None => (self.start.gravitational - now.gravitational).max(0.0),
+        };
+        let sizes = now.kinetic + now.gravitational.abs() + self.start.gravitational.abs();
+        self.start.total() + GROWTH * (self.movable + fallen) + ROUNDING * sizes
     }
 
     fn trouble(&self, wrong: Wrong, simulation: &Simulation, energy_before: f64) -> Trouble {
@@ -177,7 +220,7 @@ impl Guard {
             wall,
             overlap,
             speed: first,
-            energy_at_start: self.energy_at_start,
+            energy_at_start: self.start.total(),
             energy_before,
             energy_after: MechanicalEnergy::of(simulation).total(),
             dissipated: dissipated(simulation),

@@ -9,6 +9,7 @@ use super::Failure;
 use super::run::{RunArguments, scenario};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
+use crate::scenario::notes;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -26,30 +27,30 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     lenient.settings.allow_unstable = Some(true);
     let json = arguments.settings.json.unwrap_or(false);
     let diagnosis = scenario(&lenient).and_then(|(scenario, _)| {
-        let diagnosis = scenario.diagnosis();
-        if diagnosis.verdict != Verdict::Unstable {
-            scenario.build()?; // places the discs
-        }
-        Ok(diagnosis)
+        scenario.build()?; // places the discs: no change of the time step makes room for them
+        Ok((scenario.diagnosis(), scenario.n() as f64 * scenario.steps() as f64))
     });
     let mut out = io::stdout().lock();
     match diagnosis {
-        Ok(diagnosis) => {
+        Ok((diagnosis, particle_steps)) => {
             match json {
                 true => {
                     serde_json::to_writer(&mut out, &diagnosis).map_err(io::Error::from)?;
                     writeln!(out)?;
                 }
-                false => write_text(&mut out, &diagnosis)?,
+                false => write_text(&mut out, &diagnosis, particle_steps)?,
             }
             let is_unstable = diagnosis.verdict == Verdict::Unstable;
             Ok(ExitCode::from(if is_unstable { 2 } else { 0 }))
         }
         Err(Failure::Scenario(error)) if json => {
+            let (text, way_out) = (error.to_string(), error.way_out());
             let refused = json!({
                 "verdict": "refused",
                 "fault": error.fault(),
-                "sentence": error.to_string(),
+                "value": error.value(),
+                "ways_out": way_out.into_iter().collect::<Vec<_>>(),
+                "sentence": text.split("\n  way out").next(),
             });
             writeln!(out, "{refused}")?;
             Ok(ExitCode::from(2))
@@ -58,7 +59,7 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-fn write_text(out: &mut impl Write, diagnosis: &Diagnosis) -> io::Result<()> {
+fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) -> io::Result<()> {
     let Diagnosis { dt_s, speed_m_s, contact_end, .. } = diagnosis;
     writeln!(out, "{:<40} {:>11} {:>11}", "contact", "two discs", "wall")?;
     for figure in &diagnosis.figures {
@@ -74,7 +75,9 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis) -> io::Result<()> {
         let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
         writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, limit.verdict)?;
     }
-    writeln!(out, "{}\n", wrapped(CAVEAT))?;
+    writeln!(out, "{}", wrapped(CAVEAT))?;
+    let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
+    writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes\n")?;
 
     writeln!(out, "{}: {}", diagnosis.verdict, diagnosis.sentence)?;
     for more in diagnosis.findings.iter().skip(1) {

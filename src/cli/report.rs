@@ -7,8 +7,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::Failure;
 use super::plot::{FrameFile, ledger, pooled_speeds};
+use super::{Failure, answer};
 use crate::figure::Figure;
 use crate::figure::frame::{self, Choice, ColourBy, has_velocities};
 use crate::figure::{energy, speeds};
@@ -18,7 +18,6 @@ use crate::output::replace::replace;
 use crate::page::report::Report;
 use crate::page::words::ENGLISH;
 use crate::scenario::Scenario;
-use crate::scenario::diagnosis::Diagnosis;
 use crate::scenario::file;
 
 pub(super) const EXAMPLES: &str = "\
@@ -73,7 +72,9 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let typed = results.iter().position(|(name, _)| name == record::COMMAND);
     let typed = typed.map(|k| results.remove(k).1);
     let frames = FrameFile::named(&folder.join("trajectory.txt"));
-    let has_ledger = folder.join("energy.csv").exists();
+    let (whole, cut) = frames.whole()?;
+    let scenario = file::read(&path).and_then(|settings| Scenario::resolve(&settings, || 0));
+    let rows = ledger(&folder.join("energy.csv")).ok(); // none was kept, or it has one line only
     Ok(Report {
         typed,
         repeats: format!("parsim2d {}", record::FILE),
@@ -86,32 +87,50 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
             },
         ),
         results,
-        diagnosis: diagnosis(&path),
-        failure: fs::read_to_string(folder.join(failure::FILE)).ok(),
-        energy: match has_ledger {
-            true => Some(energy::figure(&ledger(&folder.join("energy.csv"))?)),
-            false => None,
-        },
-        frames: [picture(&frames, Some(0))?, picture(&frames, None)?],
-        speeds: histogram(&frames)?,
+        answer: scenario.as_ref().map(answer::of).unwrap_or_default(),
+        diagnosis: scenario.map(|scenario| scenario.diagnosis()).map_err(|why| why.to_string()),
+        failure: failure(folder),
+        energy: rows.map(|rows| energy::figure(&rows)),
+        frames: [picture(&frames, 0)?, picture(&frames, whole - 1)?],
+        cut: cut.map(|why| format!("{}: {why}", whole)),
+        speeds: histogram(&frames, whole - 1)?,
         data: data(folder, out),
     })
 }
 
-/// What the diagnosis says of the scenario at `path`, or why it says nothing.
-fn diagnosis(path: &Path) -> Result<Diagnosis, String> {
-    let scenario = file::read(path).and_then(|settings| Scenario::resolve(&settings, || 0));
-    scenario.map(|scenario| scenario.diagnosis()).map_err(|error| error.to_string())
+/// What `failure.json` says, by its keys.
+fn failure(folder: &Path) -> Vec<(String, String)> {
+    let text = fs::read_to_string(folder.join(failure::FILE)).unwrap_or_default();
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let said = |value: &serde_json::Value| match value {
+        serde_json::Value::String(text) => text.clone(),
+        serde_json::Value::Array(all) if all.iter().all(serde_json::Value::is_string) => {
+            let all: Vec<&str> = all.iter().filter_map(serde_json::Value::as_str).collect();
+            all.join(", or ")
+        }
+        other => other.to_string(),
+    };
+    let keys = ["what", "step", "time_s", "discs", "fault", "value", "diagnosis", "ways_out"];
+    let found = |key: &str| {
+        let value = value.get(key).filter(|value| !value.is_null())?;
+        Some((key.to_owned(), said(value)))
+    };
+    keys.into_iter().filter_map(found).collect()
 }
 
-fn picture(file: &FrameFile, index: Option<usize>) -> Result<Figure, Failure> {
-    let (_, one) = file.frame(index)?;
+fn picture(file: &FrameFile, index: usize) -> Result<Figure, Failure> {
+    let (_, one) = file.frame(Some(index))?;
     let by = if has_velocities(&one) { ColourBy::Speed } else { ColourBy::Nothing };
     Ok(frame::figure(&one, Choice { by, vectors: false }))
 }
 
-fn histogram(file: &FrameFile) -> Result<Option<Figure>, Failure> {
-    let histogram = pooled_speeds(file, None)?;
+/// The speeds of all frames up to number `last`; of a few discs there is nothing to be learnt from.
+fn histogram(file: &FrameFile, last: usize) -> Result<Option<Figure>, Failure> {
+    const FEWEST_DISCS: usize = 10;
+    if file.frame(Some(0))?.1.rows.len() < FEWEST_DISCS {
+        return Ok(None);
+    }
+    let histogram = pooled_speeds(file, Some(last))?;
     let title = histogram.title(None);
     Ok((!histogram.is_at_rest()).then(|| speeds::figure(&histogram, &title)))
 }

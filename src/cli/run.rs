@@ -9,12 +9,14 @@ use rand::TryRng;
 
 use super::interrupt::Interrupt;
 use super::stepping::Stepping;
+use super::typed::typed;
 use super::watch::placing_spinner;
 use super::{Failure, answer};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::record;
-use crate::output::recorder::Recorder;
+use crate::output::recorder::{OutputPlan, Recorder};
 use crate::output::summary::Summary;
+use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
 use crate::simulation::{Simulation, time_step};
@@ -42,16 +44,19 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let mut simulation = scenario.build()?;
     spinner.finish_and_clear();
     interrupt.finish_files_first();
-    let recorder = Recorder::create(&scenario.output_plan(), &mut simulation)?;
+    let record = scenario.record(simulation.particles());
+    let plan = OutputPlan { record, ..scenario.output_plan() };
+    let recorder = Recorder::create(&plan, &mut simulation)?;
     say_notes(&scenario, &simulation, seed_was_drawn);
     let start = MechanicalEnergy::of(&simulation).total();
+    let start_overlap = simulation.largest_overlap();
     let mut stepping = Stepping::begin(&scenario, simulation, recorder);
     stepping.go(|| interrupt.is_raised())?;
 
     let summary = summary(&scenario, &stepping, start);
     let command = format!("{} = {}", record::COMMAND, typed());
     stepping.record_results(&[vec![command], summary.results()].concat())?;
-    match report(&scenario, &summary) {
+    match report(&scenario, &summary, start_overlap) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
         done => done?,
     }
@@ -68,32 +73,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-/// The command as it was typed, without the folder it wrote to: what a run leaves behind depends on
-/// no path of the machine.
-fn typed() -> String {
-    let mut words = vec!["parsim2d".to_owned()];
-    let mut said = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
-    while let Some(word) = said.next() {
-        match word.as_str() {
-            "--out-dir" => drop(said.next()),
-            word if word.starts_with("--out-dir=") => {}
-            word => words.push(quoted(word)),
-        }
-    }
-    words.join(" ")
-}
-
-/// `word` as a shell takes it for one, on one line.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "-_./:=+,%@".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        return word.to_owned();
-    }
-    let one_line = word.replace(|c: char| c.is_control(), " ");
-    format!("'{}'", one_line.replace('\'', r"'\''"))
-}
-
-/// Flags over file over preset; and whether the seed was drawn.
+/// Flags over file over preset; and whether a seed was drawn that matters.
 pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
         Some(path) if path.extension().is_none() && !path.exists() => {
@@ -102,7 +82,9 @@ pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Fai
         Some(path) => arguments.settings.clone().over(file::read(path)?),
         None => arguments.settings.clone(),
     };
-    Ok((Scenario::resolve(&said, drawn_seed)?, said.seed.is_none()))
+    let scenario = Scenario::resolve(&said, drawn_seed)?;
+    let was_drawn = said.seed.is_none() && scenario.is_random();
+    Ok((scenario, was_drawn))
 }
 
 /// A seed from the operating system, short enough to type.
@@ -159,20 +141,20 @@ fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
     }
 }
 
-fn report(scenario: &Scenario, summary: &Summary) -> io::Result<()> {
+fn report(scenario: &Scenario, summary: &Summary, start_overlap: f64) -> io::Result<()> {
     let mut out = io::stdout().lock();
     if scenario.output.json {
         summary.write_json(&mut out)?;
     } else if !scenario.output.quiet {
-        summary.write_text(&mut out, remark(scenario, summary).as_deref())?;
+        summary.write_text(&mut out, remark(scenario, summary, start_overlap).as_deref())?;
         answer::write(&mut out, &summary.answer)?;
     }
     out.flush()
 }
 
-/// What to say after the largest overlap. In a run whose energy went astray softness is not the
+/// What to say after the largest overlap; at the start it was `start`. In a run whose energy went astray softness is not the
 /// cause, and is not blamed.
-fn remark(scenario: &Scenario, summary: &Summary) -> Option<String> {
+fn remark(scenario: &Scenario, summary: &Summary, start: f64) -> Option<String> {
     let (overlap, growth) =
         (summary.max_overlap_over_r, summary.energy_end_J / summary.energy_start_J.abs());
     if !summary.energy_end_J.is_finite() {
@@ -184,8 +166,15 @@ fn remark(scenario: &Scenario, summary: &Summary) -> Option<String> {
              fault; try --integrator symplectic-euler --dt auto"
         ));
     }
-    (overlap > judgement::SOFT).then(|| {
-        let cure = scenario.cure_for_softness(overlap).join(" or ");
-        format!(": more than half a radius, discs too soft; try {cure}")
-    })
+    if summary.went_wrong.is_some() || overlap <= judgement::SOFT {
+        return None;
+    }
+    if overlap <= start {
+        return Some(": that of the start".to_owned());
+    }
+    // One number only: the one that was told before the run.
+    let findings = scenario.findings();
+    let told = findings.into_iter().find(|finding| finding.matter == Matter::Softness);
+    let cures = told.map_or_else(|| scenario.cure_for_softness(overlap), |told| told.ways_out);
+    Some(format!(": more than half a radius, discs too soft; try {}", cures.join(" or ")))
 }

@@ -2,7 +2,6 @@
 
 use super::Failure;
 use super::watch::Watch;
-use crate::analysis::energy::LedgerRow;
 use crate::analysis::guard::Guard;
 use crate::output::failure::FailureReport;
 use crate::output::recorder::Recorder;
@@ -25,7 +24,8 @@ impl<'a> Stepping<'a> {
     pub fn begin(scenario: &'a Scenario, simulation: Simulation, recorder: Recorder) -> Self {
         let output = &scenario.output;
         let watch = Watch::start(&simulation, scenario.steps(), output.slowdown, output.quiet);
-        let guard = Guard::new(&simulation, scenario.walls.then_some(scenario.side));
+        let side = scenario.walls.then_some(scenario.side);
+        let guard = Guard::new(&simulation, side, scenario.is_soft());
         Self { scenario, simulation, watch, failure: None, recorder, guard }
     }
 
@@ -36,14 +36,10 @@ impl<'a> Stepping<'a> {
         while self.simulation.steps() < end && !stop() {
             let due = self.recorder.next_due().min(end);
             self.step_until(self.watch.next_look(&self.simulation).min(due))?;
-            let row = self.recorder.row_due(&self.simulation);
-            if self.simulation.steps() == due {
-                self.look_before_writing(row.as_ref())?;
-            }
             if self.is_stopped() {
                 break;
             }
-            self.recorder.record_due(&self.simulation, row.as_ref())?;
+            self.recorder.record_due(&self.simulation)?;
             if self.scenario.output.every.is_none() {
                 self.watch.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
             }
@@ -71,15 +67,6 @@ impl<'a> Stepping<'a> {
         Ok(())
     }
 
-    /// What is written has been looked at. A line of the ledger knows the energies that the guard would
-    /// work out again.
-    fn look_before_writing(&mut self, row: Option<&LedgerRow>) -> Result<(), Failure> {
-        match row {
-            Some(row) if self.guard.judgement(&self.simulation, row).is_none() => Ok(()),
-            _ => self.look(),
-        }
-    }
-
     /// Whether something went wrong and the run was ended by it.
     pub fn is_stopped(&self) -> bool {
         self.failure.as_ref().is_some_and(|failure| failure.stopped)
@@ -99,8 +86,10 @@ impl<'a> Stepping<'a> {
         let report = self.scenario.post_mortem(&trouble, !goes_on);
         report.write(&self.scenario.output.folder)?;
         self.failure = Some(report);
-        if goes_on {
-            self.watch.step_until(&mut self.simulation, seen_at);
+        match goes_on {
+            true => self.watch.step_until(&mut self.simulation, seen_at),
+            // What was written since then is of no use.
+            false => self.recorder.cut_back_to(self.simulation.steps())?,
         }
         Ok(())
     }

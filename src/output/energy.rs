@@ -1,8 +1,8 @@
 //! `energy.csv`: the energy ledger, a line every so many steps.
 
 use std::fs::File;
-use std::io::Read;
-use std::path::PathBuf;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
 
 use super::OutputError;
 use crate::analysis::energy::LedgerRow;
@@ -39,9 +39,36 @@ impl EnergyFile {
         self.out.flush().map_err(|why| self.failed(why))
     }
 
+    /// Takes back the lines of steps after `step`; returns the step of the last line left.
+    pub fn cut_back_to(&mut self, step: u64) -> Result<u64, OutputError> {
+        self.flush()?;
+        let (end, last) = end_of(&self.path, step).map_err(|why| self.failed(why))?;
+        let mut file = self.out.get_ref();
+        file.set_len(end)
+            .and_then(|()| file.seek(SeekFrom::Start(end)).map(|_| last))
+            .map_err(|why| self.failed(why))
+    }
+
     fn failed(&self, source: std::io::Error) -> OutputError {
         OutputError::Write { path: self.path.clone(), source }
     }
+}
+
+/// Where the lines up to `step` end in the file at `path`, and the step of the last of them.
+fn end_of(path: &Path, step: u64) -> io::Result<(u64, u64)> {
+    let (mut end, mut last) = (0, 0);
+    for line in BufReader::new(File::open(path)?).split(b'\n') {
+        let line = line?;
+        let first = line.split(|&byte| byte == b',').next().unwrap_or_default();
+        if let Some(of) = std::str::from_utf8(first).ok().and_then(|step| step.parse().ok()) {
+            if of > step {
+                break;
+            }
+            last = of;
+        }
+        end += line.len() as u64 + 1;
+    }
+    Ok((end, last))
 }
 
 /// Reads a ledger back.

@@ -44,6 +44,8 @@ pub struct FailureReport {
     pub energy_after_J: f64,
     /// What damping took until then, J; less than nothing where it gave. Absent without a ledger.
     pub dissipated_J: Option<f64>,
+    /// The sum of both, J.
+    pub total_J: Option<f64>,
     /// The parameter at fault by the diagnosis, as its flag; absent if nothing was found.
     pub fault: Option<String>,
     /// Its value.
@@ -71,7 +73,10 @@ impl fmt::Display for FailureReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, step, time_s, energy_start_J, energy_before_J, energy_after_J, .. } = self;
         let damping = match self.dissipated_J {
-            Some(took) if took >= 0.0 => format!("; damping took {took:.4e} J"),
+            Some(took) if took >= 0.0 => {
+                let sum = energy_after_J + took;
+                format!("; with the {took:.4e} J that damping took, {sum:.4e} J")
+            }
             Some(took) => format!("; damping gave {:.4e} J, which it cannot", -took),
             None => String::new(),
         };

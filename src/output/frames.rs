@@ -4,12 +4,15 @@
 //! In a file of many frames two blank lines stand *before* every frame but the first, which is
 //! what gnuplot's `index` counts (a trailing gap would add a phantom frame).
 
-use std::io::{self, BufRead, Write};
+use std::io::{self, BufRead, Read, Write};
 
 use glam::DVec2;
 
 use super::number::push_g9;
 use crate::simulation::Simulation;
+
+/// No line of a frame is so long, bytes; a file without lines is not read into memory.
+const LONGEST_LINE: u64 = 1 << 16;
 
 /// What a row of a frame holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -229,9 +232,15 @@ impl<R: BufRead> Frames<R> {
             self.number += 1;
             let number = self.number;
             let at = |why: String| format!("line {number}: {why}");
-            let read = self.input.read_until(b'\n', &mut self.line);
+            let mut some = self.input.by_ref().take(LONGEST_LINE);
+            let read = some.read_until(b'\n', &mut self.line);
             if read.map_err(|why| at(why.to_string()))? == 0 {
                 return self.last_frame();
+            }
+            if self.line.len() as u64 == LONGEST_LINE {
+                return Err(at(format!(
+                    "a line of {LONGEST_LINE} bytes: this is no file of frames"
+                )));
             }
             let is_cut = self.line.last() != Some(&b'\n');
             let line = std::str::from_utf8(&self.line);

@@ -11,7 +11,7 @@ use super::live::LiveFrame;
 use super::record;
 use super::replace::NewFile;
 use super::trajectory::Trajectory;
-use crate::analysis::energy::{EnergyLedger, LedgerRow};
+use crate::analysis::energy::EnergyLedger;
 use crate::simulation::Simulation;
 
 /// What is to be written, where and how often.
@@ -98,19 +98,8 @@ impl Recorder {
         }
     }
 
-    /// The ledger's line for the present step, if one is due.
-    pub fn row_due(&self, simulation: &Simulation) -> Option<LedgerRow> {
-        let (ledger, _) = self.energy.as_ref()?;
-        let is_due = simulation.steps() >= self.energy_at + self.plan.energy_every;
-        is_due.then(|| ledger.row(simulation))
-    }
-
-    /// Writes what is due at the present step; `row` is the ledger's line, if it is.
-    pub fn record_due(
-        &mut self,
-        simulation: &Simulation,
-        row: Option<&LedgerRow>,
-    ) -> Result<(), OutputError> {
+    /// Writes what is due at the present step.
+    pub fn record_due(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         if simulation.steps() >= self.frame_at + self.plan.frame_every {
             self.append_frame(simulation)?;
             self.flush_energy()?; // whole rows for who reads along
@@ -118,9 +107,17 @@ impl Recorder {
                 self.live.refresh(simulation)?;
             }
         }
-        if let (Some(row), Some((_, file))) = (row, &mut self.energy) {
-            self.energy_at = row.step;
-            file.append(row)?;
+        if simulation.steps() >= self.energy_at + self.plan.energy_every {
+            self.append_energy(simulation)?;
+        }
+        Ok(())
+    }
+
+    /// Takes back what was written of steps after `step`.
+    pub fn cut_back_to(&mut self, step: u64) -> Result<(), OutputError> {
+        self.frame_at = self.trajectory.cut_back_to(step)?;
+        if let Some((_, file)) = &mut self.energy {
+            self.energy_at = file.cut_back_to(step)?;
         }
         Ok(())
     }

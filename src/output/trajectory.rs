@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use super::OutputError;
 use super::frames::{Columns, write_frame};
+use super::marks::Marks;
 use crate::simulation::Simulation;
 
 /// More bytes than this, and the default interval between frames grows.
@@ -33,12 +34,19 @@ pub struct Trajectory {
     out: BufWriter<File>,
     side: f64, // m
     frames: u64,
+    marks: Marks,
 }
 
 impl Trajectory {
     /// A trajectory that goes to `file`, named `path` in messages; box of `side` (m).
     pub fn new(file: File, path: PathBuf, side: f64) -> Self {
-        Self { path, out: BufWriter::with_capacity(1 << 16, file), side, frames: 0 }
+        Self {
+            path,
+            out: BufWriter::with_capacity(1 << 16, file),
+            side,
+            frames: 0,
+            marks: Marks::default(),
+        }
     }
 
     /// Appends the present state.
@@ -50,6 +58,14 @@ impl Trajectory {
             .write_all(gap.as_bytes())
             .and_then(|()| write_frame(&mut self.out, simulation, self.side, columns))
             .and_then(|()| self.out.flush())
+            .and_then(|()| self.marks.add(simulation.steps(), self.out.get_ref()))
+            .map_err(|source| OutputError::Write { path: self.path.clone(), source })
+    }
+
+    /// Takes back the frames of steps after `step`; returns the step of the last frame left.
+    pub fn cut_back_to(&mut self, step: u64) -> Result<u64, OutputError> {
+        self.marks
+            .cut_back_to(step, self.out.get_ref())
             .map_err(|source| OutputError::Write { path: self.path.clone(), source })
     }
 }

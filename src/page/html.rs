@@ -78,7 +78,7 @@ table { border-collapse: collapse; } th, td { padding: 0.15rem 0.8rem; text-alig
 th { font-weight: 600; } th:first-child, td:first-child { text-align: left; padding-left: 0; }
 dl { display: grid; grid-template-columns: max-content auto; gap: 0.15rem 1.2rem; margin: 0; } dt { color: #555; } dd { margin: 0; overflow-wrap: anywhere; }
 figure { margin: 1rem 0; break-inside: avoid; } figure svg { width: 100%; height: auto; } figcaption { color: #444; }
-.pair figure { max-width: 40rem; } .verdict { font-weight: 600; }
+.pair figure { max-width: 40rem; } .own { min-height: 8rem; border: 1px dotted #999; padding: 0.5rem; } .verdict { font-weight: 600; }
 .good { color: #006d4e; } .coarse { color: #8a5a00; } .unstable { color: #a3270b; }
 @media print { body { margin: 0; max-width: none; font-size: 11pt; } h2 { break-after: avoid; } }
 ";

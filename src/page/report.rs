@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use super::html::{escaped, figure, list, page, table};
 use super::words::Words;
+use crate::analysis::answer::{Answer, AnswerRow};
 use crate::figure::Figure;
-use crate::scenario::diagnosis::{CAVEAT, Diagnosis};
+use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 
 /// Everything that a report shows.
@@ -20,8 +21,12 @@ pub struct Report {
     pub results: Vec<(String, String)>,
     /// The diagnosis, or why there is none.
     pub diagnosis: Result<Diagnosis, String>,
-    /// What went wrong, in words, if something did.
-    pub failure: Option<String>,
+    /// What went wrong, by names; nothing for a run that did not.
+    pub failure: Vec<(String, String)>,
+    /// Theory beside measurement, for one or two discs.
+    pub answer: Answer,
+    /// From which frame on the run cannot be drawn, and why.
+    pub cut: Option<String>,
     /// The energies, if there is a ledger.
     pub energy: Option<Figure>,
     /// The first and the last frame.
@@ -39,6 +44,8 @@ impl Report {
             self.how_to_repeat(words),
             self.failure(words),
             self.results(words),
+            self.theory(words),
+            section(words.own_words, "<div class=\"own\" contenteditable=\"true\"></div>\n"),
             self.diagnosis(words),
             self.pictures(words),
             section(words.parameters, &format!("<pre>{}</pre>\n", escaped(&self.scenario))),
@@ -57,17 +64,34 @@ impl Report {
     }
 
     fn failure(&self, words: &Words) -> String {
-        match &self.failure {
-            Some(text) => section(words.failure, &format!("<pre>{}</pre>\n", escaped(text))),
-            None => String::new(),
+        if self.failure.is_empty() {
+            return String::new();
         }
+        let named = |(key, value): &(String, String)| {
+            let name = words.failure_names.iter().find(|(known, _)| known == key);
+            (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), value.clone())
+        };
+        section(words.failure, &list(&self.failure.iter().map(named).collect::<Vec<_>>()))
+    }
+
+    fn theory(&self, words: &Words) -> String {
+        if self.answer.is_empty() {
+            return String::new();
+        }
+        let mut rows = vec![words.answer_head.map(str::to_owned).to_vec()];
+        for AnswerRow { what, unit, theory, measured, error, order } in self.answer.rows() {
+            let what = if unit.is_empty() { what.clone() } else { format!("{what}, {unit}") };
+            let order = order.map_or("-".to_owned(), |order| format!("{order:.1}"));
+            rows.push(vec![what, short(*theory), short(*measured), format!("{error:+.1e}"), order]);
+        }
+        section(words.answer, &table(&rows))
     }
 
     fn results(&self, words: &Words) -> String {
         let named = |(key, value): &(String, String)| {
             let name = words.result_names.iter().find(|(known, _)| known == key);
             let rounded = value.parse().ok().filter(|_| value.contains('.') || value.contains('e'));
-            let value = rounded.map_or(value.clone(), |number: f64| short(number));
+            let value = rounded.map_or(value.clone(), short);
             (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), value)
         };
         let text = match self.results.is_empty() {
@@ -95,13 +119,12 @@ impl Report {
         };
         let verdict = |verdict: Option<Verdict>| verdict.map_or(String::new(), |v| v.to_string());
         let figures = diagnosis.figures.iter().map(|figure| {
-            let [pair, wall] = [figure.pair, figure.wall].map(crate::scenario::diagnosis::cell);
+            let [pair, wall] = [figure.pair, figure.wall].map(cell);
             [figure.name.to_owned(), pair, wall, verdict(figure.verdict)]
         });
         text += &rows(words.contact_head, figures.collect());
         let limits = diagnosis.limits.iter().map(|limit| {
-            let [dt, fraction] =
-                [Some(limit.dt_s), Some(limit.fraction)].map(crate::scenario::diagnosis::cell);
+            let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
             [limit.by.clone(), dt, fraction, verdict(Some(limit.verdict))]
         });
         text += &rows(words.limit_head, limits.collect());
@@ -120,6 +143,9 @@ impl Report {
             figure(2, first, words.first_frame),
             figure(3, last, words.last_frame)
         );
+        let cut =
+            self.cut.as_ref().map(|cut| format!("<p>{}{}</p>\n", escaped(words.cut), escaped(cut)));
+        let frames = frames + &cut.unwrap_or_default();
         let speeds = match &self.speeds {
             Some(speeds) => figure(4, speeds, words.speeds_caption),
             None => format!("<p>{}</p>\n", escaped(words.no_speeds)),

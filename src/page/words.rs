@@ -32,6 +32,16 @@ pub struct Words {
     pub limit_head: [&'static str; 4],
     /// Heading of what went wrong.
     pub failure: &'static str,
+    /// Names of what is said of it, by their keys in `failure.json`.
+    pub failure_names: [(&'static str, &'static str); 8],
+    /// Heading of theory beside measurement.
+    pub answer: &'static str,
+    /// Its heads: what, theory, measured, relative error, order in dt.
+    pub answer_head: [&'static str; 5],
+    /// Heading of the place for the author's own answer.
+    pub own_words: &'static str,
+    /// Before the number of the first frame that cannot be drawn.
+    pub cut: &'static str,
     /// Heading of the energy.
     pub energy: &'static str,
     /// Below the figure of the energy.
@@ -48,7 +58,7 @@ pub struct Words {
     pub speeds: &'static str,
     /// Below the histogram.
     pub speeds_caption: &'static str,
-    /// Said of a run whose discs never move.
+    /// Said of a run of few discs, or whose discs never move.
     pub no_speeds: &'static str,
     /// Heading of the links.
     pub data: &'static str,
@@ -82,6 +92,20 @@ pub const ENGLISH: Words = Words {
     contact_head: ["a contact", "two discs", "wall", ""],
     limit_head: ["largest time step", "limit, s", "dt / limit", ""],
     failure: "What went wrong",
+    failure_names: [
+        ("what", "what"),
+        ("step", "at step"),
+        ("time_s", "at time, s"),
+        ("discs", "discs"),
+        ("fault", "parameter at fault"),
+        ("value", "its value"),
+        ("diagnosis", "why"),
+        ("ways_out", "ways out"),
+    ],
+    answer: "Theory and measurement",
+    answer_head: ["first contact", "theory", "measured", "error", "order in dt"],
+    own_words: "Does the total energy stay constant? If not, what is the problem, and can it be solved?",
+    cut: "The run cannot be drawn from frame ",
     energy: "Energy",
     energy_caption: "Above, where the energy is; the total counts what damping took. Below, two \
         residues on a logarithmic scale: the integration error (the change of the total: is the time \
@@ -93,6 +117,6 @@ pub const ENGLISH: Words = Words {
     speeds: "Speeds",
     speeds_caption: "All speeds of all frames, beside Maxwell's distribution in two dimensions of the \
         same mean square: what a gas in equilibrium would have.",
-    no_speeds: "No disc moves in any frame.",
+    no_speeds: "No histogram: too few discs, or none that moves.",
     data: "Data",
 };

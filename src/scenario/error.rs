@@ -102,6 +102,27 @@ impl ScenarioError {
         }
     }
 
+    /// The value at fault, where one number is.
+    pub fn value(&self) -> Option<String> {
+        match self {
+            Self::OutOfRange { value, .. } => Some(value.clone()),
+            Self::Unstable(finding) => Some(finding.value.clone()),
+            _ => None,
+        }
+    }
+
+    /// What to do.
+    pub fn way_out(&self) -> Option<String> {
+        match self {
+            Self::OutOfRange { way_out, .. }
+            | Self::BoxTooFull { way_out, .. }
+            | Self::BadOverlap { way_out, .. } => Some(way_out.clone()),
+            Self::Conflict { one, other, .. } => Some(format!("leave out {one} or {other}")),
+            Self::Unstable(finding) => Some(finding.ways_out.join(", or ")),
+            _ => None,
+        }
+    }
+
     /// An [`OutOfRange`](Self::OutOfRange) from anything printable.
     pub fn out_of_range(
         field: impl Into<String>,

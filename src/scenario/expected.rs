@@ -4,6 +4,7 @@ use super::{DiscSource, Population, Scenario};
 use crate::analysis::collision::{
     angular_frequency, damping_ratio, largest_overlap, restitution, scaled_duration,
 };
+use crate::analysis::stability::Species;
 use crate::particle::Particle;
 
 /// What one kind of contact, a pair's or a wall's, will be like.
@@ -29,28 +30,88 @@ pub struct ExpectedContact {
 }
 
 impl Scenario {
-    /// A contact of the two heaviest discs.
+    /// A contact of two discs: what must be fast enough is told of the lightest pair, what must be
+    /// stiff enough of the pair that sinks deepest.
     pub fn expected_pair(&self) -> ExpectedContact {
-        let (lightest, heaviest) = self.mass_range();
-        // The lightest pair is the shortest contact, the heaviest the deepest.
-        self.expected_contact(0.5 * lightest, 0.5 * heaviest)
+        let (lightest, _) = self.mass_range();
+        let (kinds, mut deepest) = (self.kinds(), 0.0_f64);
+        for (k, a) in kinds.iter().enumerate() {
+            // The other of the same kind, if there is one, and all of other kinds.
+            let others = &kinds[if a.n > 1 { k } else { k + 1 }..];
+            for b in others {
+                let mass = a.mass * b.mass / (a.mass + b.mass);
+                deepest = deepest.max(self.expected_depth(mass) / a.radius.min(b.radius));
+            }
+        }
+        let shortest = if self.n() == 2 && kinds.len() == 2 {
+            kinds[0].mass * kinds[1].mass / (kinds[0].mass + kinds[1].mass)
+        } else {
+            0.5 * lightest
+        };
+        self.expected_contact(shortest, deepest)
     }
 
-    /// A contact with a wall.
+    /// A contact with a wall, likewise.
     pub fn expected_wall(&self) -> ExpectedContact {
-        let (lightest, heaviest) = self.mass_range();
-        self.expected_contact(lightest, heaviest)
+        let (lightest, _) = self.mass_range();
+        let depths =
+            self.kinds().into_iter().map(|kind| self.expected_depth(kind.mass) / kind.radius);
+        self.expected_contact(lightest, depths.fold(0.0, f64::max))
     }
 
-    /// A contact whose reduced mass is `lightest` (kg) for what must be fast enough and `heaviest`
-    /// (kg) for what must be stiff enough.
-    fn expected_contact(&self, lightest: f64, heaviest: f64) -> ExpectedContact {
-        let omega = angular_frequency(self.stiffness, lightest);
-        let zeta = self.damping_ratio(lightest);
+    /// The deepest overlap, over the smaller radius, to expect of any contact in the run; at walls, if
+    /// there are any: the wall's contact is the deeper one.
+    pub fn expected_overlap(&self) -> f64 {
+        match (self.walls, self.n()) {
+            (true, _) => self.expected_wall().largest_overlap,
+            (false, 1) => 0.0,
+            (false, _) => self.expected_pair().largest_overlap,
+        }
+    }
+
+    /// Whether discs are expected to sink so deep into each other that they may pass through.
+    pub fn is_soft(&self) -> bool {
+        self.expected_overlap() > super::judgement::SOFT
+    }
+
+    /// Discs that differ; of very many kinds the extreme ones.
+    fn kinds(&self) -> Vec<Species> {
+        const MANY: usize = 40;
+        let mut kinds: Vec<Species> = Vec::new();
+        let mut all = self.species();
+        all.sort_by(|a, b| a.radius.total_cmp(&b.radius).then(a.mass.total_cmp(&b.mass)));
+        for kind in all {
+            match kinds.last_mut() {
+                Some(last) if last.radius == kind.radius && last.mass == kind.mass => {
+                    last.n += kind.n;
+                }
+                _ => kinds.push(kind),
+            }
+        }
+        if kinds.len() > MANY {
+            // The lightest, the heaviest and the smallest of all, taken for many each.
+            let heaviest = kinds.iter().max_by(|a, b| a.mass.total_cmp(&b.mass)).copied();
+            let lightest = kinds.iter().min_by(|a, b| a.mass.total_cmp(&b.mass)).copied();
+            let extremes = [Some(kinds[0]), heaviest, lightest].into_iter().flatten();
+            kinds = extremes.map(|kind| Species { n: 2, ..kind }).collect();
+        }
+        kinds
+    }
+
+    /// The largest overlap, m, of a contact of this reduced mass (kg) met at the expected speed.
+    fn expected_depth(&self, reduced_mass: f64) -> f64 {
+        let zeta = self.damping_ratio(reduced_mass);
+        largest_overlap(self.expected_speed(), zeta, self.stiffness, reduced_mass)
+    }
+
+    /// A contact of `reduced_mass` (kg) in time, and of `largest_overlap` radii.
+    fn expected_contact(&self, reduced_mass: f64, largest_overlap: f64) -> ExpectedContact {
+        let omega = angular_frequency(self.stiffness, reduced_mass);
+        let zeta = self.damping_ratio(reduced_mass);
         let duration = scaled_duration(zeta, self.contact_end()) / omega;
-        let (smallest, largest) = self.radius_range();
-        let static_overlap = self.mass_range().1 * self.gravity.abs() / self.stiffness / smallest;
-        let (fall, deep_zeta) = (self.expected_speed(), self.damping_ratio(heaviest));
+        let weights = self.species().into_iter().map(|disc| disc.mass / disc.radius);
+        let static_overlap = weights.fold(0.0, f64::max) * self.gravity.abs() / self.stiffness;
+        let (_, largest) = self.radius_range();
         let layers = self.n() as f64 * 2.0 * largest / self.side;
         ExpectedContact {
             angular_frequency: omega,
@@ -60,7 +121,7 @@ impl Scenario {
             steps: duration / self.dt(),
             static_overlap,
             foot_overlap: static_overlap * layers.max(1.0),
-            largest_overlap: largest_overlap(fall, deep_zeta, self.stiffness, heaviest) / smallest,
+            largest_overlap,
         }
     }
 
@@ -82,7 +143,7 @@ impl Scenario {
 
     /// The largest speed to expect of the discs' own motion, m/s: discs that are many exchange
     /// theirs, and twice the rms speed is then common (2 % of Maxwell's distribution in 2D).
-    fn fastest_start(&self) -> f64 {
+    pub(super) fn fastest_start(&self) -> f64 {
         let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
             DiscSource::Equal(_) => (&[], &[]),
             DiscSource::Listed(listed, groups) => (listed, groups),

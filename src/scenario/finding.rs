@@ -38,6 +38,8 @@ pub enum Matter {
     Softness,
     /// The time integrator.
     Integrator,
+    /// Where the discs are at the start.
+    Start,
 }
 
 /// Something found wrong with a scenario.

@@ -9,7 +9,7 @@ use crate::analysis::collision::{damping_ratio, restitution};
 use crate::particle::Particle;
 
 /// Particle-steps a second on one core of a laptop; for a rough guess only.
-const USUAL_SPEED: f64 = 2e7;
+pub const USUAL_SPEED: f64 = 2e7;
 
 impl Scenario {
     /// What a person should know before this run starts with `discs`, a sentence each.
@@ -19,7 +19,13 @@ impl Scenario {
             Verdict::Unstable => Some(format!("unstable on purpose: {}", finding.what)),
             _ => Some(finding.note()),
         });
-        let after = [self.note_on_length(), self.note_on_start(discs), self.note_on_lattice()];
+        let after = [
+            self.note_on_gravity(),
+            self.note_on_stillness(discs),
+            self.note_on_length(),
+            self.note_on_start(discs),
+            self.note_on_lattice(),
+        ];
         before.into_iter().chain(findings).chain(after).flatten().collect()
     }
 
@@ -66,6 +72,19 @@ impl Scenario {
                  --no-tension lets them"
             )
         })
+    }
+
+    fn note_on_gravity(&self) -> Option<String> {
+        (self.gravity < 0.0).then(|| {
+            let up = Num(-self.gravity);
+            format!("gravity is positive downward: this one pulls up; --gravity {up} pulls down")
+        })
+    }
+
+    fn note_on_stillness(&self, discs: &[Particle]) -> Option<String> {
+        let all_rest = discs.iter().all(|disc| disc.velocity.length_squared() == 0.0);
+        (self.gravity == 0.0 && !discs.is_empty() && all_rest && self.overlaps(discs).is_empty())
+            .then(|| "no disc moves: no gravity, no speed, no contact; try --speed 0.1".to_owned())
     }
 
     fn note_on_length(&self) -> Option<String> {

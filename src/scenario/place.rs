@@ -5,11 +5,10 @@ use rand_pcg::Pcg64;
 
 use super::error::ScenarioError;
 use super::number::Num;
+use super::overlap::Overlap;
 use super::settings::PlacementName;
 use super::{DiscSource, Population, Scenario};
-use crate::force::HalfPlane;
-use crate::neighbours::Neighbours;
-use crate::particle::{Contact, Particle};
+use crate::particle::Particle;
 use crate::placement::{self, PlacementError};
 use crate::simulation::place_discs;
 
@@ -89,7 +88,7 @@ impl Scenario {
     /// Refuses coincident centres and overlaps of more than one radius: the contact force would
     /// throw such discs apart. Smaller overlaps are told in the notes.
     fn check_overlaps(&self, discs: &[Particle]) -> Result<(), ScenarioError> {
-        for Overlap { disc, other, relative, centres_coincide } in self.overlaps(discs) {
+        for Overlap { disc, other, relative, centres_coincide, .. } in self.overlaps(discs) {
             let what = match other {
                 Some(other) if centres_coincide => {
                     format!("discs {disc} and {other} have the same centre")
@@ -123,32 +122,6 @@ impl Scenario {
             return Err(ScenarioError::BadOverlap { who, what, way_out: way_out.to_owned() });
         }
         Ok(())
-    }
-
-    /// All overlaps of `discs` with each other and with the walls.
-    pub(super) fn overlaps(&self, discs: &[Particle]) -> Vec<Overlap> {
-        let mut overlaps = Vec::new();
-        let planes = HalfPlane::square(self.side);
-        let planes = if self.walls { &planes[..] } else { &[] };
-        for (disc, p) in discs.iter().enumerate() {
-            for plane in planes {
-                let distance = plane.distance(p.position);
-                if let Some(contact) = Contact::with_wall(p, distance, plane.normal) {
-                    let relative = contact.overlap / p.radius;
-                    overlaps.push(Overlap { disc, other: None, relative, centres_coincide: false });
-                }
-            }
-        }
-        let mut neighbours = Neighbours::default();
-        neighbours.refresh(discs);
-        for (i, j) in neighbours.pairs() {
-            if let Some(contact) = Contact::between(&discs[i], &discs[j]) {
-                let relative = contact.overlap / discs[i].radius.min(discs[j].radius);
-                let centres_coincide = discs[i].position == discs[j].position;
-                overlaps.push(Overlap { disc: i, other: Some(j), relative, centres_coincide });
-            }
-        }
-        overlaps
     }
 
     /// A placement error with ways out, each tried before it is offered.
@@ -190,14 +163,4 @@ impl Scenario {
         }
         (0..4).all(|more| self.placed(self.seed + more).is_ok())
     }
-}
-
-/// Two bodies that overlap at the start.
-pub(super) struct Overlap {
-    pub disc: usize,
-    /// The other disc; `None` for a wall.
-    pub other: Option<usize>,
-    /// Overlap over the (smaller) radius.
-    pub relative: f64,
-    pub centres_coincide: bool,
 }

@@ -30,6 +30,7 @@ impl Scenario {
             energy_before_J: trouble.energy_before,
             energy_after_J: trouble.energy_after,
             dissipated_J: trouble.dissipated,
+            total_J: trouble.dissipated.map(|took| trouble.energy_after + took),
             fault: cause.as_ref().map(|finding| finding.fault.clone()),
             value: cause.as_ref().map(|finding| finding.value.clone()),
             diagnosis,
@@ -45,10 +46,10 @@ impl Scenario {
         let of = |matter| findings.iter().find(|finding| finding.matter == matter);
         let order = match trouble.wrong {
             Wrong::Crossed | Wrong::BeyondWall => {
-                [Matter::Integrator, Matter::Softness, Matter::Travel, Matter::Step]
+                [Matter::Integrator, Matter::Start, Matter::Softness, Matter::Travel, Matter::Step]
             }
             Wrong::NotFinite | Wrong::EnergyGrown => {
-                [Matter::Integrator, Matter::Step, Matter::Travel, Matter::Softness]
+                [Matter::Integrator, Matter::Step, Matter::Travel, Matter::Start, Matter::Softness]
             }
         };
         let unstable = findings.iter().find(|finding| finding.verdict == Verdict::Unstable);
@@ -96,8 +97,13 @@ fn what(trouble: &Trouble) -> String {
             Num::rounded(trouble.overlap - 1.0)
         ),
         Wrong::EnergyGrown => format!(
-            "the energy has grown by more than all that could move the discs at the start; the \
+            "the energy{} has grown by more than all that could move the discs at the start; the \
              fastest, disc {}, has {} m/s{}",
+            if trouble.energy_after > trouble.energy_before.max(trouble.energy_at_start) {
+                ""
+            } else {
+                ", with what damping took,"
+            },
             id(0),
             Num::rounded(trouble.speed),
             at_wall.unwrap_or_default()

@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 
 use super::{DampingChoice, DiscSource, DtSetBy, Scenario, StepChoice};
+use crate::particle::Particle;
 
 impl Scenario {
     /// The whole scenario as a file that reproduces the run, with units in comments.
@@ -14,8 +15,18 @@ impl Scenario {
 
     /// The same without what says only where and how fast the run wrote: the text of `last-run.toml`,
     /// which depends on no path. Run it, and the files of the run come again.
-    pub fn record(&self) -> String {
-        let everything = self.to_toml();
+    ///
+    /// `discs` are those of the run at its start: what came from a frame is listed, as far as there are
+    /// not too many, so that the record holds without that file.
+    pub fn record(&self, discs: &[Particle]) -> String {
+        const MOST_LISTED: usize = 20_000;
+        let everything = match &self.discs {
+            DiscSource::Frame { .. } if discs.len() <= MOST_LISTED => {
+                let listed = DiscSource::Listed(discs.to_vec(), Vec::new());
+                Self { discs: listed, speed: 0.0, ..self.clone() }.to_toml()
+            }
+            _ => self.to_toml(),
+        };
         let elsewhere = ["out_dir = ", "slowdown = ", "json = ", "quiet = "];
         let is_kept = |line: &&str| !elsewhere.iter().any(|key| line.starts_with(key));
         // Keys of the top level come first; nothing of a disc begins with these.
@@ -124,5 +135,9 @@ impl Scenario {
 }
 
 fn quoted(text: &str) -> String {
+    if text.contains(char::is_control) {
+        // On one line, whatever is in it; JSON's escapes are TOML's too.
+        return serde_json::Value::from(text).to_string();
+    }
     toml::Value::String(text.to_owned()).to_string()
 }

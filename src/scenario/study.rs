@@ -322,7 +322,7 @@ pub fn nearest(values: &[f64], wanted: f64) -> f64 {
 }
 
 /// A box whose run is to be compared with that of its twins: the guide's 20 discs, elastic,
-/// N_t = 50, if nothing else is said. Of several N_t the first counts.
+/// N_t = 50, if nothing else is said.
 pub fn twin_box(said: &StudySettings) -> Result<Scenario, ScenarioError> {
     let settings = Settings {
         n: Some(said.n.unwrap_or(20)),
@@ -335,6 +335,10 @@ pub fn twin_box(said: &StudySettings) -> Result<Scenario, ScenarioError> {
         nt: said.nt.first().map(|&nt| nt.into()),
         ..Settings::default()
     };
+    if said.nt.len() > 1 {
+        let value = format!("{:?}", said.nt);
+        return Err(ScenarioError::out_of_range("nt", value, "--twin runs one", "--nt 50"));
+    }
     let nt = said.nt.first().copied().unwrap_or(50.0);
     Scenario::resolve(&settings, || 1).map_err(too_coarse(nt))
 }
@@ -345,7 +349,8 @@ fn too_coarse(nt: f64) -> impl Fn(ScenarioError) -> ScenarioError {
         let ScenarioError::Unstable(finding) = error else { return error };
         let finer = finding.ways_out.iter().find(|way_out| way_out.starts_with("--nt "));
         let way_out = finer.map_or("a larger --nt", String::as_str);
-        ScenarioError::out_of_range("nt", nt, format!("unstable: {}", finding.what), way_out)
+        let allowed = format!("unstable with the damping of these runs: {}", finding.what);
+        ScenarioError::out_of_range("nt", nt, allowed, format!("{way_out}, or --restitution 1"))
     }
 }
 

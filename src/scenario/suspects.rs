@@ -1,8 +1,11 @@
 //! Which parameter is at fault: the first that, put back to its usual value, mends the run.
 
+use glam::DVec2;
+
 use super::number::Num;
 use super::preset::Preset;
-use super::{DampingChoice, DiscSource, Scenario, StepChoice};
+use super::{DampingChoice, DiscSource, Population, Scenario, StepChoice};
+use crate::particle::Particle;
 
 /// A parameter and the scenario with this one put back to its usual value.
 pub(super) struct Suspect {
@@ -59,45 +62,100 @@ impl Scenario {
         ]
     }
 
-    /// The lightest and the fastest of listed discs and groups.
+    /// What single discs, groups and frames say for themselves, against the common values.
     fn single_discs(&self) -> Vec<Suspect> {
-        let DiscSource::Listed(listed, groups) = &self.discs else {
-            return Vec::new();
+        match &self.discs {
+            DiscSource::Equal(_) => Vec::new(),
+            DiscSource::Listed(listed, groups) => {
+                let mut suspects = self.listed_discs(listed, groups);
+                suspects.extend(self.groups(listed, groups));
+                suspects
+            }
+            DiscSource::Frame { said, discs, has_velocities } => {
+                let with = |change: fn(&mut Particle, &Self)| {
+                    let mut discs = discs.clone();
+                    discs.iter_mut().for_each(|disc| change(disc, self));
+                    let (said, has_velocities) = (said.clone(), *has_velocities);
+                    self.with_discs(DiscSource::Frame { said, discs, has_velocities })
+                };
+                let suspect = |what: &str, usual: &str, mended| Suspect {
+                    name: "--start".to_owned(),
+                    value: format!("{said} ({what})"),
+                    usual: usual.to_owned(),
+                    mended,
+                };
+                let slower = with(|disc, _| disc.velocity = DVec2::ZERO);
+                let larger = with(|disc, this| disc.radius = disc.radius.max(this.radius));
+                vec![
+                    suspect("its fastest disc", "a frame with slower discs", slower),
+                    suspect("its smallest disc", "a frame with larger discs", larger),
+                ]
+            }
+        }
+    }
+
+    fn listed_discs(&self, listed: &[Particle], groups: &[Population]) -> Vec<Suspect> {
+        let with = |change: &dyn Fn(usize, &mut Particle)| {
+            let mut mended = listed.to_vec();
+            mended.iter_mut().enumerate().for_each(|(k, disc)| change(k, disc));
+            self.with_discs(DiscSource::Listed(mended, groups.to_vec()))
+        };
+        let extreme = |of: &dyn Fn(&Particle) -> f64| {
+            (0..listed.len()).min_by(|&a, &b| of(&listed[a]).total_cmp(&of(&listed[b])))
         };
         let mut suspects = Vec::new();
-        let lightest = (0..listed.len()).min_by(|&a, &b| listed[a].mass.total_cmp(&listed[b].mass));
-        if let Some(k) = lightest {
-            let mut mended = listed.clone();
-            mended[k].mass = self.mass;
+        for (key, of, common) in [
+            ("mass", (|disc| disc.mass) as fn(&Particle) -> f64, self.mass),
+            ("radius", |disc| disc.radius, self.radius),
+        ] {
+            let Some(k) = extreme(&of) else { continue };
+            let value = of(&listed[k]);
+            // All that are as small: a pair of equal ones is mended together.
+            let mended = with(&|_, disc| {
+                let slot = if key == "mass" { &mut disc.mass } else { &mut disc.radius };
+                *slot = if *slot <= value { common } else { *slot };
+            });
             suspects.push(Suspect {
-                name: format!("disc {k}: mass"),
-                value: Num(listed[k].mass).to_string(),
-                usual: format!("mass = {} for disc {k}", Num(self.mass)),
-                mended: self.with_discs(DiscSource::Listed(mended, groups.clone())),
+                name: format!("disc {k}: {key}"),
+                value: Num(value).to_string(),
+                usual: format!("{key} = {} for disc {k}", Num(common)),
+                mended,
             });
         }
-        let speed = |k: usize| listed[k].velocity.length();
-        if let Some(k) = (0..listed.len()).max_by(|&a, &b| speed(a).total_cmp(&speed(b))) {
-            let mut mended = listed.clone();
-            mended[k].velocity = glam::DVec2::ZERO;
+        if let Some(k) = extreme(&|disc| -disc.velocity.length()) {
             let v = listed[k].velocity;
             suspects.push(Suspect {
                 name: format!("disc {k}: velocity"),
                 value: format!("[{}, {}]", Num(v.x), Num(v.y)),
                 usual: format!("a slower disc {k}"),
-                mended: self.with_discs(DiscSource::Listed(mended, groups.clone())),
+                mended: with(&|_, disc| {
+                    if disc.velocity.length() >= 0.5 * v.length() {
+                        disc.velocity = DVec2::ZERO;
+                    }
+                }),
             });
         }
-        let lightest = (0..groups.len()).min_by(|&a, &b| groups[a].mass.total_cmp(&groups[b].mass));
-        if let Some(k) = lightest {
-            let mut mended = groups.clone();
-            mended[k].mass = self.mass;
-            suspects.push(Suspect {
-                name: format!("population {k}: mass"),
-                value: Num(groups[k].mass).to_string(),
-                usual: format!("mass = {} for population {k}", Num(self.mass)),
-                mended: self.with_discs(DiscSource::Listed(listed.clone(), mended)),
+        suspects
+    }
+
+    fn groups(&self, listed: &[Particle], groups: &[Population]) -> Vec<Suspect> {
+        let mut suspects = Vec::new();
+        for (k, group) in groups.iter().enumerate() {
+            let mut suspect = |key: &str, value: f64, usual: f64, mended: Population| {
+                let mut all = groups.to_vec();
+                all[k] = mended;
+                suspects.push(Suspect {
+                    name: format!("population {k}: {key}"),
+                    value: Num(value).to_string(),
+                    usual: format!("{key} = {} for population {k}", Num(usual)),
+                    mended: self.with_discs(DiscSource::Listed(listed.to_vec(), all)),
+                });
+            };
+            suspect("mass", group.mass, self.mass, Population { mass: self.mass, ..*group });
+            suspect("radius", group.radius, self.radius, {
+                Population { radius: self.radius, ..*group }
             });
+            suspect("speed", group.speed, 0.0, Population { speed: 0.0, ..*group });
         }
         suspects
     }
@@ -106,10 +164,17 @@ impl Scenario {
         Self { discs, ..self.clone() }
     }
 
-    /// The flag that said the time step, and its value.
-    pub(super) fn step_flag(&self) -> (String, String) {
-        let (flag, value) = self.step.flag_and_value();
-        (flag.to_owned(), Num(value).to_string())
+    /// The time step, put back to that of the preset.
+    pub(super) fn step_suspect(&self) -> Suspect {
+        let (name, value) = self.step.flag_and_value();
+        let usual = self.preset.values().step;
+        let (usual_flag, usual_value) = usual.flag_and_value();
+        Suspect {
+            name: name.to_owned(),
+            value: Num(value).to_string(),
+            usual: format!("{usual_flag} {usual_value}"),
+            mended: self.with_step(usual),
+        }
     }
 
     /// This scenario with another time step.

@@ -17,7 +17,11 @@ impl Question {
         let mut before = self.state(expected, &run);
         let (end, bounces) = (expected.ends - ahead, expected.heights.len());
         // A method that gains energy flies higher, and longer.
-        while run.time() < end || (seen.heights.len() < bounces && run.time() < 1.5 * end) {
+        let is_parting = |seen: &Seen| seen.parted.is_some() && seen.parting_speed.is_none();
+        while run.time() < end
+            || is_parting(&seen)
+            || (seen.heights.len() < bounces && run.time() < 1.5 * end)
+        {
             run.step();
             let now = self.state(expected, &run);
             seen.look(before, now, run.time(), run.dt(), expected);
@@ -73,6 +77,7 @@ struct Seen {
     touched_at: Option<f64>,    // s
     touch_speed: Option<f64>,   // m/s
     duration: Option<f64>,      // s
+    parted: Option<f64>,        // how long ago the surfaces had parted, in steps
     parting_speed: Option<f64>, // m/s
     heights: Vec<f64>,          // m
     highest: Option<f64>,       // m, since the last bounce, while rising
@@ -88,8 +93,10 @@ impl Seen {
         if before.gap >= 0.0 && now.gap < 0.0 && self.touched_at.is_none() {
             let part = before.gap / (before.gap - now.gap);
             self.touched_at = Some(time - (1.0 - part) * dt);
-            // Until the touch there is only the push.
-            self.touch_speed = Some(before.speed + part * dt * push);
+            // The path of a step is the speed in its middle, whichever velocity the integrator keeps;
+            // until the touch there is only the push.
+            let middle = (before.gap - now.gap) / dt;
+            self.touch_speed = Some(middle + (part - 0.5) * dt * push);
         }
         let hold = |state: State| match end {
             ContactEnd::OverlapZero => -state.gap,
@@ -99,10 +106,13 @@ impl Seen {
             let part = hold(before) / (hold(before) - hold(now));
             self.duration = Some(time - (1.0 - part) * dt - touched_at);
         }
-        if before.gap < 0.0 && now.gap >= 0.0 && self.parting_speed.is_none() {
-            // Here, too, there is only the push: back to where the surfaces parted.
-            let rest = now.gap / (now.gap - before.gap);
-            self.parting_speed = Some(rest * dt * push - now.speed);
+        if let (Some(rest), None) = (self.parted, self.parting_speed) {
+            // Back from the middle of this step, the first without the contact.
+            let middle = (now.gap - before.gap) / dt;
+            self.parting_speed = Some(middle + (rest + 0.5) * dt * push);
+        }
+        if before.gap < 0.0 && now.gap >= 0.0 && self.parted.is_none() {
+            self.parted = Some(now.gap / (now.gap - before.gap));
         }
         if before.gap < 0.0 && now.gap >= 0.0 {
             self.highest = Some(now.height);

@@ -63,8 +63,7 @@ pub(super) fn read_table<T>(
 ) -> Result<Vec<T>, Failure> {
     let command = if kind == "drift" { "parsim2d drift" } else { "parsim2d" };
     let rows = read(BufReader::new(open(path, command)?)).map_err(|why| {
-        let advice =
-            advice(path).filter(|advice| why.starts_with("its columns") && !advice.is_empty());
+        let advice = advice(path).filter(|_| why.starts_with("its columns"));
         PlotError::bad_file(path, &why, advice.unwrap_or("repeat the run that wrote it"))
     })?;
     if rows.is_empty() {
@@ -95,10 +94,28 @@ impl FrameFile {
     fn bad(&self, why: &str, whole: usize, flag: &str) -> PlotError {
         let way_out = match (whole, advice(&self.path)) {
             (0, Some(advice)) if !advice.contains("frames") => advice.to_owned(),
-            (0, _) => "a file of frames, as `parsim2d` writes: out.txt, trajectory.txt".to_owned(),
+            (0, _) => "a file of frames, as `parsim2d` writes: out.txt, trajectory.txt. Of a run that went \
+                       wrong, earlier frames are in trajectory.txt: --frame 0"
+                .to_owned(),
             (_, _) => format!("frames 0 to {} are whole: {flag} {}", whole - 1, whole - 1),
         };
         PlotError::bad_file(&self.path, why, &way_out)
+    }
+
+    /// How many frames are whole, at least one, and what is wrong with the one after them.
+    pub fn whole(&self) -> Result<(usize, Option<String>), Failure> {
+        let mut whole = 0;
+        for frame in self.frames()? {
+            match frame {
+                Ok(_) => whole += 1,
+                Err(why) if whole > 0 => return Ok((whole, Some(why))),
+                Err(why) => return Err(self.bad(&why, 0, "").into()),
+            }
+        }
+        match whole {
+            0 => Err(self.bad("it holds no frame", 0, "").into()),
+            _ => Ok((whole, None)),
+        }
     }
 
     /// Frame number `wanted` from 0, or the last, and its number.

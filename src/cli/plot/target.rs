@@ -66,6 +66,15 @@ impl Target {
         let unreadable =
             |source| PlotError::Unreadable { path: file.to_owned(), source, command: "parsim2d" };
         let file = fs::canonicalize(file).map_err(unreadable)?;
+        for target in [&self.picture, &self.script] {
+            if fs::canonicalize(target).is_ok_and(|target| target == file) {
+                return Err(PlotError::BadOut {
+                    path: self.picture.clone(),
+                    why: format!("{} is what is to be drawn", target.display()),
+                    way_out: "another --out".to_owned(),
+                });
+            }
+        }
         let folder = fs::canonicalize(folder_of(&self.script)).map_err(unreadable)?;
         Ok(match relative(&folder, &file) {
             Some(path) => DataFile { path, is_relative: true },
