@@ -44,6 +44,16 @@ pub enum OutputError {
         /// Its format, as far as it can be told.
         format: String,
     },
+    /// Before the first step: the folder holds a file of somebody's own where the record of the run goes.
+    #[error(
+        "{} was not written by a run, and this run would replace it\n  \
+         way out: give it another name, or use another --out-dir",
+        path.display()
+    )]
+    ForeignRecord {
+        /// The file.
+        path: PathBuf,
+    },
     /// During the run.
     #[error("writing {} failed: {source}\n  what was written before is kept; way out: more room, or another folder", path.display())]
     Write {

@@ -69,6 +69,25 @@ fn arrows_go_one_way() {
 }
 
 #[test]
+fn paths_in_the_text_follow_the_arrows_too() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let allowed: BTreeMap<&str, &[&str]> = ARROWS.into();
+    let mut seen = 0;
+    for path in files_below(&source) {
+        let room = room_of(&path, &source);
+        let text = fs::read_to_string(&path).unwrap();
+        let code = text.lines().map(str::trim).filter(|line| !line.starts_with("//"));
+        for word in code.flat_map(|line| line.split("crate::").skip(1)) {
+            let target = word.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap();
+            let may = allowed.get(room.as_str()).is_some_and(|may| may.contains(&target));
+            assert!(may || target == room, "{} names crate::{target}", path.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+#[test]
 fn physics_knows_no_files_formats_or_command_line() {
     for (room, path, word) in uses().filter(|(room, ..)| PHYSICS.contains(&room.as_str())) {
         let outside = word.split("::").next().unwrap().trim_end_matches(';');
@@ -84,14 +103,19 @@ fn physics_knows_no_files_formats_or_command_line() {
     }
 }
 
+/// The file or folder of `source` that `path` belongs to.
+fn room_of(path: &Path, source: &Path) -> String {
+    let inside = path.strip_prefix(source).unwrap();
+    let first = inside.components().next().unwrap().as_os_str();
+    Path::new(first).file_stem().unwrap().to_str().unwrap().to_owned()
+}
+
 /// Every `use` line of `src/`: its room, its file, and what it uses.
 fn uses() -> impl Iterator<Item = (String, PathBuf, String)> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let files = files_below(&source);
     files.into_iter().flat_map(move |path| {
-        let inside = path.strip_prefix(&source).unwrap().to_owned();
-        let first = inside.components().next().unwrap().as_os_str();
-        let room = Path::new(first).file_stem().unwrap().to_str().unwrap().to_owned();
+        let room = room_of(&path, &source);
         let text = fs::read_to_string(&path).unwrap();
         let lines: Vec<_> = text
             .lines()

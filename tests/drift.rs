@@ -293,3 +293,29 @@ fn quiet_writes_files_only() {
     assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
     assert!(folder.path().join("drift.csv").exists());
 }
+
+#[test]
+fn growth_is_that_of_the_later_half_and_doubts_its_scatter() {
+    // A jump while the discs begin to meet, then 3 % a second with a swing of 0.1 %.
+    let curve: Vec<(f64, f64)> = (0..=400)
+        .map(|k| {
+            let time = 0.001 * f64::from(k);
+            let jump = if k < 200 { 0.0 } else { 0.5 };
+            (time, jump + 0.03 * time + 1e-3 * (40.0 * time).sin())
+        })
+        .collect();
+    let course = parsim2d::analysis::drift::Course {
+        dt: 1e-5,
+        largest_error: 0.513,
+        final_error: 0.512,
+        energy_at_start: 1.0,
+        dissipated: 0.0,
+        work_error: 0.0,
+        stopped_at: None,
+        curve,
+    };
+    let growth = course.growth().unwrap();
+    // Twice the rms of the swing, 0.7e-3, over the 0.2 s of the later half, give 0.007 a second.
+    assert!((growth.rate - 0.03).abs() < growth.doubt, "{growth:?}");
+    assert!((0.004..0.009).contains(&growth.doubt), "{growth:?}");
+}

@@ -144,6 +144,45 @@ fn what_a_user_typed_cannot_break_the_page() {
 }
 
 #[test]
+fn a_page_elsewhere_has_no_links_that_lead_nowhere() {
+    let folder = TempDir::new().unwrap();
+    let elsewhere = TempDir::new().unwrap();
+    parsim2d(folder.path(), &["--time", "1ms", "--seed", "1"]).success();
+    let out = elsewhere.path().join("page.html");
+    parsim2d(folder.path(), &["report", "-o", out.to_str().unwrap()]).success();
+    let page = fs::read_to_string(out).unwrap();
+    assert_whole(&page);
+    assert!(!page.contains("<a href"));
+}
+
+#[test]
+fn a_run_from_a_frame_is_repeated_without_that_file() {
+    let folder = TempDir::new().unwrap();
+    let first = ["-n", "4", "--radius", "5e-4", "--seed", "3", "--time", "5ms"];
+    parsim2d(folder.path(), &first).success();
+    let hash = || {
+        let text = fs::read_to_string(folder.path().join("last-run.toml")).unwrap();
+        text.lines().find(|line| line.contains("state_hash")).unwrap().to_owned()
+    };
+    // The run overwrites the file it starts from.
+    let again = ["--start", "trajectory.txt", "--time", "5ms", "--seed", "3"];
+    parsim2d(folder.path(), &again).success();
+    let started = hash();
+    parsim2d(folder.path(), &["last-run.toml"]).success();
+    assert_eq!(hash(), started);
+}
+
+#[test]
+fn a_record_that_no_run_wrote_is_not_replaced() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("last-run.toml"), "# mine\nn = 3\n").unwrap();
+    let assert = parsim2d(folder.path(), &["--time", "1ms"]).code(2);
+    let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(message.contains("was not written by a run"), "{message}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
 fn without_a_run_there_is_no_report() {
     let folder = TempDir::new().unwrap();
     for (arguments, part) in [

@@ -98,3 +98,11 @@ fn the_command_says_so_if_nothing_grows() {
     let (words, ..) = twin(&["-n", "1", "--time", "1s"]);
     assert!(words.replace('\n', " ").contains("the time step's doing"), "{words}");
 }
+
+#[test]
+fn twins_are_apart_once_a_hundredth_of_a_radius_is_between_them() {
+    let radius = 1e-4;
+    let at = |share: f64| vec![(0.0, 1e-18), (0.1, 0.5 * share * radius), (0.2, share * radius)];
+    assert_eq!(separation_time(&at(0.0101), radius), Some(0.2));
+    assert_eq!(separation_time(&at(0.0099), radius), None);
+}

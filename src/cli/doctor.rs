@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use serde::Serialize;
@@ -15,6 +16,9 @@ pub(super) struct DoctorArguments {
     #[arg(long)]
     json: bool,
 }
+
+/// A program that does not tell its version within this time does not work.
+const PATIENCE: Duration = Duration::from_secs(3);
 
 /// A program that parsim2d can do without.
 struct Helper {
@@ -117,7 +121,23 @@ fn on_path(name: &str) -> Option<PathBuf> {
 
 /// The first line that the program says of its version.
 fn version(path: &Path, flag: &str) -> Option<String> {
-    let said = Command::new(path).arg(flag).stdin(Stdio::null()).output().ok()?;
+    let mut child = Command::new(path)
+        .arg(flag)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .ok()?;
+    let asked = Instant::now();
+    while child.try_wait().ok()?.is_none() {
+        if asked.elapsed() > PATIENCE {
+            let _ = child.kill(); // it does not answer: as good as not there
+            let _ = child.wait();
+            return None;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let said = child.wait_with_output().ok()?;
     let text = String::from_utf8_lossy(&said.stdout).into_owned();
     let line = text.lines().next()?.trim();
     // ffmpeg goes on about its authors.

@@ -13,7 +13,9 @@ use std::fmt::Write;
 /// assert_eq!(parsim2d::figure::gnuplot::quoted("it's 100 %"), "'it''s 100 %'");
 /// ```
 pub fn quoted(text: &str) -> String {
-    let text = text.replace('\'', "''").replace('\n', "'.\"\\n\".'").replace('\r', "'.\"\\r\".'");
+    // Two single quotes are one inside a string, but not right after its beginning.
+    let text =
+        text.replace('\'', "'.\"'\".'").replace('\n', "'.\"\\n\".'").replace('\r', "'.\"\\r\".'");
     format!("'{text}'")
 }
 

@@ -16,6 +16,12 @@ pub const COMMAND: &str = "command";
 
 const RESULT: &str = "# result: ";
 
+/// Whether `folder` holds a file of this name that no run has written: somebody's own.
+pub fn is_foreign(folder: &Path) -> bool {
+    let text = std::fs::read_to_string(folder.join(FILE));
+    text.is_ok_and(|text| !text.starts_with("# parsim2d "))
+}
+
 /// Writes the scenario `text` and `results`, each `NAME = VALUE`, into `folder`.
 pub fn write(folder: &Path, text: &str, results: &[String]) -> Result<(), OutputError> {
     replace(&folder.join(FILE), |out| {

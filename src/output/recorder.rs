@@ -52,6 +52,9 @@ impl Recorder {
     pub fn create(plan: &OutputPlan, simulation: &mut Simulation) -> Result<Self, OutputError> {
         let folder = &plan.folder;
         refuse_foreign(folder)?;
+        if record::is_foreign(folder) {
+            return Err(OutputError::ForeignRecord { path: folder.join(record::FILE) });
+        }
         make_folder(folder)?;
         let new = |name: &str| NewFile::create(&folder.join(name));
         let (live, trajectory) = (new("out.txt")?, new("trajectory.txt")?);

@@ -74,7 +74,7 @@ const STYLE: &str = "\
 body { font: 16px/1.45 system-ui, sans-serif; color: #111; background: #fff; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2rem; border-bottom: 1px solid #ccc; }
 code, pre { font-family: ui-monospace, monospace; font-size: 0.9em; } pre { white-space: pre-wrap; background: #f4f4f4; padding: 0.6rem; }
-table { border-collapse: collapse; } th, td { padding: 0.15rem 0.8rem; text-align: right; border-bottom: 1px solid #e5e5e5; }
+table { border-collapse: collapse; margin: 0.8rem 0; } th, td { padding: 0.15rem 0.8rem; text-align: right; border-bottom: 1px solid #e5e5e5; }
 th { font-weight: 600; } th:first-child, td:first-child { text-align: left; padding-left: 0; }
 dl { display: grid; grid-template-columns: max-content auto; gap: 0.15rem 1.2rem; margin: 0; } dt { color: #555; } dd { margin: 0; overflow-wrap: anywhere; }
 figure { margin: 1rem 0; break-inside: avoid; } figure svg { width: 100%; height: auto; } figcaption { color: #444; }
