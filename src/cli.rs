@@ -12,6 +12,7 @@ mod run;
 mod stepping;
 mod typed;
 mod watch;
+mod wrapped;
 
 use std::io::{self, Write};
 use std::process::ExitCode;

@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::Failure;
 use super::run::{RunArguments, scenario};
+use super::wrapped::wrapped;
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 use crate::scenario::notes;
@@ -75,7 +76,7 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) 
         let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
         writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, limit.verdict)?;
     }
-    writeln!(out, "{}", wrapped(CAVEAT))?;
+    writeln!(out, "{}", wrapped(CAVEAT, 80))?;
     let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
     writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes\n")?;
 
@@ -87,21 +88,4 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) 
         writeln!(out, "`run` refuses this; --allow-unstable runs it anyway, for the lesson")?;
     }
     Ok(())
-}
-
-/// `text` in lines of at most 80 characters.
-fn wrapped(text: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let line = lines.last_mut().expect("never empty");
-        if line.len() + word.len() >= 80 {
-            lines.push(word.to_owned());
-        } else {
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines.join("\n")
 }

@@ -8,7 +8,7 @@ use super::expected::ExpectedContact;
 use super::finding::{Finding, Verdict};
 use super::judgement::{FEWEST_STEPS, LONG_STRIDE, SOFT};
 use crate::analysis::collision::ContactEnd;
-use crate::analysis::stability::{self, Assembly, COARSE};
+use crate::analysis::stability::{self, Assembly, COARSE, LimitedBy};
 
 /// Linear limits say only this much.
 pub const CAVEAT: &str = "These limits are necessary, not sufficient: contacts open and close. With \
@@ -156,6 +156,8 @@ impl Scenario {
         let linear = stability::limits(&self.law(), &Assembly::of(&self.species()));
         let mut limits: Vec<LimitFigure> = linear
             .into_iter()
+            // Without walls no disc is alone at one; a single disc has no other limit.
+            .filter(|limit| limit.by != LimitedBy::OneDisc || self.walls || self.n() == 1)
             .map(|limit| LimitFigure {
                 by: limit.by.to_string(),
                 dt_s: limit.dt,

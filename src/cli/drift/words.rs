@@ -3,6 +3,7 @@
 
 use std::io::{self, Write};
 
+use super::super::wrapped::wrapped;
 use super::findings::{Contact, Findings, Heating, percent};
 use crate::scenario::settings::IntegratorName::{ExplicitEuler, SymplecticEuler, VelocityVerlet};
 use crate::scenario::study::Case;
@@ -237,19 +238,7 @@ fn cure(findings: &Findings) -> String {
 /// Writes the paragraphs, broken into lines.
 pub(super) fn write(out: &mut impl Write, paragraphs: &[String]) -> io::Result<()> {
     const WIDTH: usize = 92;
-    for (k, paragraph) in paragraphs.iter().enumerate() {
-        let mut column = 0;
-        for word in paragraph.split(' ') {
-            let length = word.chars().count();
-            if column > 0 && column + 1 + length > WIDTH {
-                writeln!(out)?;
-                column = 0;
-            }
-            let gap = if column > 0 { " " } else { "" };
-            write!(out, "{gap}{word}")?;
-            column += gap.len() + length;
-        }
-        writeln!(out, "{}", if k + 1 < paragraphs.len() { "\n" } else { "" })?;
-    }
-    Ok(())
+    let broken: Vec<String> =
+        paragraphs.iter().map(|paragraph| wrapped(paragraph, WIDTH)).collect();
+    writeln!(out, "{}", broken.join("\n\n"))
 }
