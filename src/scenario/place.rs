@@ -15,16 +15,11 @@ use crate::simulation::place_discs;
 impl Scenario {
     /// The discs at t = 0, placed and checked.
     pub(super) fn place(&self) -> Result<Vec<Particle>, ScenarioError> {
+        self.check_area()?;
         let (fixed, groups) = self.fixed_and_groups();
         self.check_overlaps(&fixed)?;
         let fixed = fixed.len();
-        let (mut particles, failed) = match self.placed(self.seed) {
-            Ok(particles) => (particles, None),
-            Err((why, particles)) => (particles, Some(why)),
-        };
-        if let Some(why) = failed {
-            return Err(self.box_too_full(why, &particles));
-        }
+        let mut particles = self.placed(self.seed).map_err(|why| self.box_too_full(why))?;
         // Directions have a stream of random numbers of their own.
         let mut generator = placement::generator(!self.seed);
         let speeds = groups.iter().flat_map(|group| std::iter::repeat_n(group.speed, group.n));
@@ -37,6 +32,32 @@ impl Scenario {
         Ok(particles)
     }
 
+    /// Discs of more area than the box are refused before any is made: a hundred million of them would
+    /// fill a laptop's memory first.
+    fn check_area(&self) -> Result<(), ScenarioError> {
+        let fraction = self.packing_fraction();
+        let DiscSource::Equal(asked) = self.discs else { return Ok(()) };
+        if fraction < 1.0 {
+            return Ok(());
+        }
+        let why = match self.placement {
+            PlacementName::Random => {
+                PlacementError::NoRoomAtRandom { asked, placed: 0, tried: 0, fraction }
+            }
+            PlacementName::Lattice => {
+                let sites = placement::lattice_capacity(self.radius, self.side);
+                PlacementError::NoRoomOnLattice { asked, sites, fraction }
+            }
+        };
+        Err(self.box_too_full(why))
+    }
+
+    /// Area of all discs over that of the box.
+    fn packing_fraction(&self) -> f64 {
+        let area: f64 = self.species().iter().map(|s| s.n as f64 * s.radius * s.radius).sum();
+        std::f64::consts::PI * area / (self.side * self.side)
+    }
+
     /// Discs whose places are said, and groups that the program places.
     fn fixed_and_groups(&self) -> (Vec<Particle>, Vec<Population>) {
         let equal = |n| Population { n, radius: self.radius, mass: self.mass, speed: self.speed };
@@ -47,9 +68,8 @@ impl Scenario {
         }
     }
 
-    /// All discs in their places by the random numbers of `seed`, or why not, with the discs as far
-    /// as they came.
-    fn placed(&self, seed: u64) -> Result<Vec<Particle>, (PlacementError, Vec<Particle>)> {
+    /// All discs in their places by the random numbers of `seed`, or why not.
+    fn placed(&self, seed: u64) -> Result<Vec<Particle>, PlacementError> {
         let (mut particles, groups) = self.fixed_and_groups();
         let fixed = particles.len();
         for group in &groups {
@@ -70,10 +90,7 @@ impl Scenario {
                 placement::at_random(&mut particles, fixed, self.side, generator)
             }
         };
-        match placed {
-            Ok(()) => Ok(particles),
-            Err(why) => Err((why, particles)),
-        }
+        placed.map(|()| particles)
     }
 
     /// `--speed` beside a `--start` file that has no velocities.
@@ -125,8 +142,8 @@ impl Scenario {
     }
 
     /// A placement error with ways out, each tried before it is offered.
-    fn box_too_full(&self, source: PlacementError, particles: &[Particle]) -> ScenarioError {
-        let fraction = placement::packing_fraction(particles, self.side);
+    fn box_too_full(&self, source: PlacementError) -> ScenarioError {
+        let fraction = self.packing_fraction();
         // Comfortably below the random limit; walls cost some room too.
         let shrink = (0.4 / fraction).min(0.8);
         let (_, largest) = self.radius_range();
@@ -158,8 +175,12 @@ impl Scenario {
     /// packing fraction alone must do.
     fn finds_room(&self) -> bool {
         const MOST_DISCS_TO_TRY: usize = 20_000;
-        if self.n() > MOST_DISCS_TO_TRY && self.placement == PlacementName::Random {
-            return true;
+        if self.n() > MOST_DISCS_TO_TRY {
+            return match self.placement {
+                PlacementName::Random => true,
+                // Sites cover at most 0.9069 of the box.
+                PlacementName::Lattice => self.packing_fraction() < 0.85,
+            };
         }
         (0..4).all(|more| self.placed(self.seed + more).is_ok())
     }
