@@ -291,3 +291,28 @@ fn deepest_pair(particles: &[Particle]) -> (Vec<usize>, Option<&'static str>, f6
     }
     deepest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integrator::SymplecticEuler;
+
+    #[test]
+    fn gravity_can_give_what_lies_on_its_way_to_the_wall() {
+        // One gram at (0.01, 0.03) m in a box of 0.04 m: m g times the way down, up, left, right.
+        let cases = [
+            (DVec2::new(0.0, -9.81), 0.03),
+            (DVec2::new(0.0, 9.81), 0.01),
+            (DVec2::new(-9.81, 0.0), 0.01),
+            (DVec2::new(9.81, 0.0), 0.03),
+        ];
+        for (gravity, way) in cases {
+            let disc = Particle::at_rest(DVec2::new(0.01, 0.03), 1e-4, 1e-3);
+            let integrator = Box::new(SymplecticEuler);
+            let simulation = Simulation::new(vec![disc], gravity, vec![], integrator, 1e-5);
+            let height = height_to_fall(&simulation, Some(0.04));
+            assert!((height - 1e-3 * 9.81 * way).abs() < 1e-15, "{gravity}: {height}");
+            assert_eq!(height_to_fall(&simulation, None), 0.0);
+        }
+    }
+}
