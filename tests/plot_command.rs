@@ -216,10 +216,10 @@ fn a_script_finds_its_data_from_anywhere_and_makes_a_pdf_too() {
     let data = "<it's 100% \"_x_\" `ls`.txt";
     fs::create_dir(path.join("my pictures")).unwrap();
     fs::copy(path.join("trajectory.txt"), path.join(data)).unwrap();
-    fs::copy(path.join("energy.csv"), path.join("it's_{2}.csv")).unwrap();
+    fs::copy(path.join("energy.csv"), path.join("'it's_{2}.csv")).unwrap();
     let cases = [
         (["velocity", data], "my pictures/it's fast.svg"),
-        (["energy", "it's_{2}.csv"], "my pictures/energy.svg"),
+        (["energy", "'it's_{2}.csv"], "my pictures/energy.svg"),
         (["trajectory", data], "paths.svg"),
     ];
     for ([kind, data], picture) in cases {

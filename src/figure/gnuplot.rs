@@ -10,7 +10,8 @@ use std::fmt::Write;
 /// meaning.
 ///
 /// ```
-/// assert_eq!(parsim2d::figure::gnuplot::quoted("it's 100 %"), "'it''s 100 %'");
+/// // The quote by itself, between double ones: two in a row would begin another string at the start.
+/// assert_eq!(parsim2d::figure::gnuplot::quoted("it's"), "'it'.\"'\".'s'");
 /// ```
 pub fn quoted(text: &str) -> String {
     // Two single quotes are one inside a string, but not right after its beginning.
