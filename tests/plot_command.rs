@@ -8,6 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 mod support;
+use support::gnuplot_is_missing;
 use support::plotting::{KINDS, RUNS, parsim2d, plot, read, run, simulate, write, write_study};
 
 #[test]
@@ -257,18 +258,6 @@ fn a_script_says_what_endings_it_knows() {
     let output = command.output().unwrap();
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(String::from_utf8_lossy(&output.stderr), "out must end in: png pdf\n");
-}
-
-/// True, and says so, if there is no gnuplot to test `what` with.
-fn gnuplot_is_missing(what: &str) -> bool {
-    let there = Command::new("gnuplot").arg("--version").output().is_ok();
-    if !there {
-        let message = format!("SKIPPED: gnuplot is not installed, so {what} was not tested");
-        assert!(std::env::var_os("PARSIM2D_REQUIRE_GNUPLOT").is_none(), "{message}");
-        // Not `eprintln!`, which the test runner hides.
-        std::io::stderr().write_all(format!("{message}\n").as_bytes()).unwrap();
-    }
-    !there
 }
 
 /// Runs a script to its good end; what it said.

@@ -10,6 +10,9 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
+mod support;
+use support::gnuplot_is_missing;
+
 /// Twenty moving discs.
 const MOVING: &str = "-n 20 --time 0.02 --seed 1 -q --speed 0.5 --radius 5e-4";
 /// Damped discs with many contacts.
@@ -276,18 +279,6 @@ fn a_gnuplot_without_windows_writes_files_or_text() {
             assert!(folder.path().join(file).exists());
         }
     }
-}
-
-/// True, and says so, if there is no gnuplot to test `what` with.
-fn gnuplot_is_missing(what: &str) -> bool {
-    let there = Command::new("gnuplot").arg("--version").output().is_ok();
-    if !there {
-        let message = format!("SKIPPED: gnuplot is not installed, so {what} was not tested");
-        assert!(std::env::var_os("PARSIM2D_REQUIRE_GNUPLOT").is_none(), "{message}");
-        // Not `eprintln!`, which the test runner hides.
-        std::io::stderr().write_all(format!("{message}\n").as_bytes()).unwrap();
-    }
-    !there
 }
 
 fn simulator(folder: &TempDir, arguments: &str) -> Command {

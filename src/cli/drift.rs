@@ -11,12 +11,12 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use self::findings::{Findings, Outcome};
 use super::Failure;
 use super::plot::{Target, plot_drift};
+use super::watch::progress_bar;
 use crate::analysis::drift::Course;
 use crate::output::drift::{self as files, CurveRow, DriftRow};
 use crate::scenario::error::ScenarioError;
@@ -194,15 +194,4 @@ fn curve_rows(outcomes: &[Outcome]) -> Vec<CurveRow> {
         })
     });
     rows.collect()
-}
-
-/// A bar on terminals only, drawn ten times a second.
-fn progress_bar(steps: u64, hidden: bool) -> ProgressBar {
-    if hidden {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left")
-        .expect("a fixed, tested template");
-    ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr_with_hz(10))
-        .with_style(style)
 }

@@ -40,7 +40,7 @@ impl Watch {
             steps_per_look = steps_per_look.min((per_look as u64).max(1));
         }
         let now = Instant::now();
-        let bar = if quiet { ProgressBar::hidden() } else { progress_bar(steps) };
+        let bar = progress_bar(steps, quiet);
         Self {
             started: now,
             next_refresh: now,
@@ -118,7 +118,10 @@ impl Watch {
 }
 
 /// A bar on terminals only, drawn ten times a second.
-fn progress_bar(steps: u64) -> ProgressBar {
+pub(super) fn progress_bar(steps: u64, hidden: bool) -> ProgressBar {
+    if hidden {
+        return ProgressBar::hidden();
+    }
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left")
         .expect("a fixed, tested template");
     ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr_with_hz(10))

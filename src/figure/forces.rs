@@ -8,10 +8,10 @@ use super::colour::hex;
 use super::frame;
 use super::gnuplot;
 use super::label::short;
-use super::scene::{Disc, Scene, Stroke, left_out};
+use super::scene::{Scene, Stroke, left_out};
 use crate::force::HalfPlane;
 use crate::neighbours::Neighbours;
-use crate::output::frames::Frame;
+use crate::output::frames::{Frame, FrameRow};
 use crate::particle::{Contact, ContactLaw, Particle};
 
 const FILL: [u8; 3] = [0xe5; 3];
@@ -71,7 +71,7 @@ pub fn links(discs: &[Particle], law: &impl ContactLaw, walls: &[HalfPlane]) -> 
 
 /// The discs of a frame, each of `mass` (kg); at rest if the frame has no velocities.
 pub fn discs(frame: &Frame, mass: f64) -> Vec<Particle> {
-    let disc = |row: &crate::output::frames::FrameRow| {
+    let disc = |row: &FrameRow| {
         let mut disc = Particle::at_rest(row.position, row.radius, mass);
         disc.velocity = row.velocity.unwrap_or_default();
         disc
@@ -127,12 +127,7 @@ fn lines(frame: &Frame, links: &[Link]) -> Vec<(Stroke, f64)> {
 /// The picture of a frame's contact forces.
 pub fn figure(frame: &Frame, links: &[Link]) -> Figure {
     let mut scene = Scene::new(title(frame, links), frame::view(frame), frame.side);
-    let disc = |row: &crate::output::frames::FrameRow| Disc {
-        centre: row.position,
-        radius: row.radius,
-        fill: FILL,
-    };
-    scene.discs = frame.rows.iter().map(disc).collect();
+    scene.discs = frame::plain_discs(frame, FILL);
     scene.edge = EDGE;
     scene.lines = lines(frame, links);
     let most = short(hardest(links), 3);
@@ -150,9 +145,8 @@ pub fn figure(frame: &Frame, links: &[Link]) -> Figure {
 pub fn script(stem: &str, frame: &Frame, links: &[Link]) -> String {
     let size = figure(frame, links).panel;
     let mut text = gnuplot::head(stem, "Contact forces", size, "png pdf");
-    let row = |row: &crate::output::frames::FrameRow| {
-        format!("{:e} {:e} {:e}", row.position.x, row.position.y, row.radius)
-    };
+    let row =
+        |row: &FrameRow| format!("{:e} {:e} {:e}", row.position.x, row.position.y, row.radius);
     text += &gnuplot::block("discs", frame.rows.iter().map(row));
     let lines = lines(frame, links);
     for (name, colour) in [("push", PUSH), ("pull", PULL)] {

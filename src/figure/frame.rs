@@ -80,6 +80,12 @@ pub fn discs(frame: &Frame, by: ColourBy, (low, high): (f64, f64)) -> Vec<Disc> 
     discs.map(|(row, fill)| Disc { centre: row.position, radius: row.radius, fill }).collect()
 }
 
+/// The discs of `frame` in one colour.
+pub fn plain_discs(frame: &Frame, fill: [u8; 3]) -> Vec<Disc> {
+    let disc = |row: &FrameRow| Disc { centre: row.position, radius: row.radius, fill };
+    frame.rows.iter().map(disc).collect()
+}
+
 /// Arrows along the velocities, the fastest of [`LONGEST_ARROW`] of `width` (m).
 pub fn arrows(frame: &Frame, width: f64, tint: impl Fn(f64) -> [u8; 3]) -> Vec<Stroke> {
     let fastest = fastest(frame);

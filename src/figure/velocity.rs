@@ -7,7 +7,7 @@ use super::colour;
 use super::frame::{self, ColourBy, LONGEST_ARROW};
 use super::gnuplot::{self, DataFile};
 use super::label;
-use super::scene::{Disc, Scene, left_out};
+use super::scene::{Scene, left_out};
 use crate::output::frames::Frame;
 
 const FILL: [u8; 3] = [0xe5; 3];
@@ -26,12 +26,7 @@ fn title(frame: &Frame) -> String {
 /// The velocity field of a frame; the fastest disc's arrow is 5 % of the box.
 pub fn figure(frame: &Frame) -> Figure {
     let mut scene = Scene::new(title(frame), frame::view(frame), frame.side);
-    let disc = |row: &crate::output::frames::FrameRow| Disc {
-        centre: row.position,
-        radius: row.radius,
-        fill: FILL,
-    };
-    scene.discs = frame.rows.iter().map(disc).collect();
+    scene.discs = frame::plain_discs(frame, FILL);
     scene.edge = EDGE;
     scene.bar = ColourBy::Speed.bar((0.0, frame::fastest(frame)));
     scene.arrows = frame::arrows(frame, frame::box_width(frame), colour::at);

@@ -125,3 +125,16 @@ impl Meeting {
         }
     }
 }
+
+/// True, and says so, if there is no gnuplot to test `what` with.
+pub fn gnuplot_is_missing(what: &str) -> bool {
+    let there = std::process::Command::new("gnuplot").arg("--version").output().is_ok();
+    if !there {
+        let message = format!("SKIPPED: gnuplot is not installed, so {what} was not tested");
+        assert!(std::env::var_os("PARSIM2D_REQUIRE_GNUPLOT").is_none(), "{message}");
+        // Not `eprintln!`, which the test runner hides.
+        std::io::Write::write_all(&mut std::io::stderr(), format!("{message}\n").as_bytes())
+            .unwrap();
+    }
+    !there
+}

@@ -5,7 +5,8 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use super::{DriftArguments, progress_bar, words};
+use super::super::watch::progress_bar;
+use super::{DriftArguments, words};
 use crate::analysis::twin::{Growth, SEPARATE, distances, separation_time};
 use crate::cli::Failure;
 use crate::output::drift::{self as files, TwinRow};
