@@ -239,6 +239,30 @@ fn the_step_found_does_not_depend_on_what_is_written() {
 }
 
 #[test]
+fn a_run_is_looked_at_to_its_last_step() {
+    // The energy grows at step 2619, less than two looks of 64 steps before these ends.
+    let lesson = ["--eta", "1.5e3", "--allow-unstable", "--seed", "1", "--json", "-q"];
+    for (time, found) in [("23.2ms", false), ("23.6ms", true), ("23.7ms", true), ("24ms", true)] {
+        let folder = TempDir::new().unwrap();
+        let output = parsim2d(folder.path()).args(lesson).args(["--time", time]).output().unwrap();
+        let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let expected = if found { Value::from(2619) } else { Value::Null };
+        assert_eq!(summary["went_wrong_at_step"], expected, "{time}");
+    }
+}
+
+#[test]
+fn an_overlap_at_the_start_is_told_once() {
+    let folder = TempDir::new().unwrap();
+    let start = "radius = 5e-4\ntime = '1ms'\n[[disc]]\nposition = [0.01, 0.02]\n\
+                 [[disc]]\nposition = [0.01052, 0.02]";
+    fs::write(folder.path().join("start.toml"), start).unwrap();
+    let output = parsim2d(folder.path()).arg("start.toml").output().unwrap();
+    let notes = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(notes.matches("at the start").count(), 1, "{notes}");
+}
+
+#[test]
 fn a_refusal_has_the_same_keys_whatever_it_is_for() {
     for said in ["--eta 1.5e3", "--eta -1", "-n 100000", "--restitution 2", "--radius 0.1", ""] {
         let folder = TempDir::new().unwrap();

@@ -3,7 +3,6 @@
 #![allow(clippy::too_many_lines)] // tables of cases
 
 use std::fs;
-use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 

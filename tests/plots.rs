@@ -2,7 +2,6 @@
 //! Discs, arrows and curves are the only things in colour: axes, box and letters are black.
 
 use std::fs::{self, File};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;

@@ -109,7 +109,19 @@ impl Guard {
     /// Looks. If something is wrong, goes back with `simulation` to the last good step, the one before
     /// the trouble began.
     pub fn look(&mut self, simulation: &mut Simulation) -> Option<Trouble> {
-        let before = self.grown_at.take();
+        let grown_at = self.grown_at.take();
+        self.look_back(simulation, grown_at)
+    }
+
+    /// The last look at a run, at its end: no other will confirm that the energy has grown. Half the
+    /// steps between two looks must do, more than any contact lasts whose step is so coarse.
+    pub fn look_last(&mut self, simulation: &mut Simulation) -> Option<Trouble> {
+        let half_a_look = simulation.steps().saturating_sub(EVERY / 2);
+        let grown_at = self.grown_at.take().unwrap_or(half_a_look);
+        self.look_back(simulation, Some(grown_at))
+    }
+
+    fn look_back(&mut self, simulation: &mut Simulation, grown_at: Option<u64>) -> Option<Trouble> {
         match self.wrong(simulation) {
             None => {
                 self.looks += 1;
@@ -118,11 +130,11 @@ impl Guard {
                 }
                 None
             }
-            Some(Wrong::EnergyGrown) if before.is_none() => {
+            Some(Wrong::EnergyGrown) if grown_at.is_none() => {
                 self.grown_at = Some(simulation.steps());
                 None
             }
-            Some(wrong) => self.first_trouble(simulation, wrong, before),
+            Some(wrong) => self.first_trouble(simulation, wrong, grown_at),
         }
     }
 

@@ -57,8 +57,9 @@ impl<'a> Stepping<'a> {
 
     /// Steps up to `until` while the guard looks on.
     fn step_until(&mut self, until: u64) -> Result<(), Failure> {
+        let end = self.scenario.steps();
         while self.simulation.steps() < until && !self.is_stopped() {
-            let look = self.guard.next_look(&self.simulation);
+            let look = self.guard.next_look(&self.simulation).min(end);
             self.watch.step_until(&mut self.simulation, look.min(until));
             if self.simulation.steps() == look {
                 self.look()?;
@@ -79,9 +80,11 @@ impl<'a> Stepping<'a> {
             return Ok(()); // once is enough
         }
         let seen_at = self.simulation.steps();
-        let Some(trouble) = self.guard.look(&mut self.simulation) else {
-            return Ok(());
+        let found = match seen_at == self.scenario.steps() {
+            true => self.guard.look_last(&mut self.simulation),
+            false => self.guard.look(&mut self.simulation),
         };
+        let Some(trouble) = found else { return Ok(()) };
         let goes_on = self.scenario.allow_unstable;
         let report = self.scenario.post_mortem(&trouble, !goes_on);
         report.write(&self.scenario.output.folder)?;

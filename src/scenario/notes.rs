@@ -101,8 +101,8 @@ impl Scenario {
     }
 
     fn note_on_start(&self, discs: &[Particle]) -> Option<String> {
-        if matches!(self.discs, DiscSource::Equal(_)) {
-            return None;
+        if matches!(self.discs, DiscSource::Equal(_)) || self.start_finding().is_some() {
+            return None; // nothing overlaps, or it has been told
         }
         let overlaps = self.overlaps(discs);
         let deepest = overlaps.iter().max_by(|a, b| a.relative.total_cmp(&b.relative))?;
