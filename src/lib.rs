@@ -30,10 +30,12 @@
 //! let end = MechanicalEnergy::of(&simulation).total();
 //! assert!((end / start - 1.0).abs() < 0.01); // elastic discs keep their energy
 //! ```
-#![deny(missing_docs)]
+#![deny(missing_docs, unsafe_code)]
 
 pub mod analysis;
 pub mod cli;
+pub mod crowd;
+pub mod discs;
 pub mod figure;
 pub mod force;
 pub mod integrator;

@@ -35,13 +35,18 @@ use self::preset::Preset;
 use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
 use crate::analysis::stability::{self, Assembly, Limit, Species};
-use crate::force::{Contacts, Force, HalfPlane, Walls};
+use crate::crowd::{Crowd, WORTH_SHARING};
+use crate::discs::PlainDiscs;
+use crate::force::{Contacts, HalfPlane, Walls};
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
 use crate::neighbours::Neighbours;
 use crate::output::recorder::OutputPlan;
 use crate::output::{energy, trajectory};
 use crate::particle::{Damping, Particle, SpringDashpot};
 use crate::simulation::{Simulation, time_step};
+
+/// Fewer discs than this are stepped the plain way: nothing is gained by storing them by cell.
+const CROWD: usize = 100;
 
 /// Every choice of a run, checked. SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -175,6 +180,8 @@ pub struct OutputChoices {
     pub energy_every: Option<u64>,
     /// Wall seconds for a simulated second, if said.
     pub slowdown: Option<f64>,
+    /// Threads that share the steps, if said.
+    pub threads: Option<usize>,
     /// Whether `out.txt` has the guide's border discs.
     pub border: bool,
     /// Summary as JSON.
@@ -308,19 +315,43 @@ impl Scenario {
 
     /// Places the discs and puts the simulation together, at t = 0.
     pub fn build(&self) -> Result<Simulation, ScenarioError> {
-        let particles = self.place()?;
-        let law = self.law();
-        let mut forces: Vec<Box<dyn Force>> = Vec::new();
-        if self.walls {
-            forces.push(Box::new(Walls { law, planes: HalfPlane::square(self.side).to_vec() }));
-        }
-        forces.push(Box::new(Contacts { law, neighbours: Neighbours::default() }));
-        let integrator: Box<dyn Integrator> = match self.integrator {
+        let is_crowd = self.n() >= CROWD || self.threads() > 1;
+        if is_crowd { self.build_crowd(self.threads()) } else { self.build_plain() }
+    }
+
+    /// The same with few discs in mind: one thing after the other, in id order.
+    pub fn build_plain(&self) -> Result<Simulation, ScenarioError> {
+        let (law, gravity) = (self.law(), self.gravity_vector());
+        let walls = Box::new(Walls { law, planes: self.planes() });
+        let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
+        let discs = PlainDiscs::new(self.place()?, gravity, vec![walls, contacts]);
+        Ok(Simulation::of(Box::new(discs), self.new_integrator(), self.dt()))
+    }
+
+    /// The same with many discs in mind, shared by `threads`: to the same bits.
+    pub fn build_crowd(&self, threads: usize) -> Result<Simulation, ScenarioError> {
+        let (law, gravity, dt) = (self.law(), self.gravity_vector(), self.dt());
+        let discs = Crowd::new(self.place()?, gravity, law, self.planes(), dt, threads);
+        Ok(Simulation::of(Box::new(discs), self.new_integrator(), dt))
+    }
+
+    /// Threads that share the steps: those said, or one for each core where that pays.
+    pub fn threads(&self) -> usize {
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        let usual = || if self.n() < WORTH_SHARING { 1 } else { cores() };
+        self.output.threads.unwrap_or_else(usual)
+    }
+
+    fn planes(&self) -> Vec<HalfPlane> {
+        if self.walls { HalfPlane::square(self.side).to_vec() } else { Vec::new() }
+    }
+
+    fn new_integrator(&self) -> Box<dyn Integrator> {
+        match self.integrator {
             IntegratorName::SymplecticEuler => Box::new(SymplecticEuler),
             IntegratorName::ExplicitEuler => Box::new(ExplicitEuler),
             IntegratorName::VelocityVerlet => Box::new(VelocityVerlet),
-        };
-        Ok(Simulation::new(particles, self.gravity_vector(), forces, integrator, self.dt()))
+        }
     }
 }
 

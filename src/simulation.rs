@@ -1,18 +1,18 @@
 //! The simulation: discs, the forces on them, the clock, and one time step.
 //!
-//! m a = m g + sum f_c: [`Discs::update_forces`] adds the right-hand side up, an
-//! [`Integrator`] turns it into motion. Here too: Eq. (2), the time step, and the placing of
-//! the discs.
+//! m a = m g + sum f_c: the [`Discs`] add the right-hand side up, an [`Integrator`] turns it into
+//! motion. Here too: Eq. (2), the time step, and the placing of the discs.
 
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use crate::force::{Force, Share, Tally};
-use crate::integrator::{Integrator, Motion};
+use crate::discs::{Discs, Memory, PlainDiscs};
+use crate::force::Force;
+use crate::integrator::Integrator;
 use crate::particle::Particle;
 use crate::placement::{self, PlacementError};
-use crate::work::{self, Works};
+use crate::work::Works;
 
 /// Eq. (2): dt = tau / N_t = pi sqrt(m / k_n) / N_t, in s.
 ///
@@ -44,59 +44,13 @@ pub fn place_discs(
     Ok(discs)
 }
 
-/// The discs and everything that pushes them.
-pub struct Discs {
-    particles: Vec<Particle>,
-    gravity: DVec2, // m/s2
-    forces: Vec<Box<dyn Force>>,
-    tally: Tally,
-    works: Works,
-    stored_energy: f64, // J
-    has_external_forces: bool,
-}
-
-impl Motion for Discs {
-    fn kick(&mut self, dt: f64) {
-        let (gravity, external) = (self.gravity, self.has_external_forces);
-        match &self.tally.shares {
-            // The same kicks, with the work of each force booked beside them.
-            Some(shares) => {
-                let particles = &mut self.particles;
-                self.works.kick(particles, shares, gravity, external, dt);
-            }
-            None => self.particles.iter_mut().for_each(|disc| disc.kick(dt)),
-        }
-    }
-
-    fn drift(&mut self, dt: f64) {
-        self.particles.iter_mut().for_each(|disc| disc.drift(dt));
-    }
-
-    /// The right-hand side of m a = m g + sum f_c.
-    fn update_forces(&mut self) {
-        for disc in &mut self.particles {
-            disc.force = disc.mass * self.gravity;
-        }
-        self.tally.begin();
-        self.stored_energy = 0.0;
-        for force in &mut self.forces {
-            self.stored_energy += force.apply(&mut self.particles, &mut self.tally);
-        }
-    }
-
-    fn particles_mut(&mut self) -> &mut [Particle] {
-        &mut self.particles
-    }
-}
-
 /// The state of a simulation between two steps.
 #[derive(Clone)]
 pub struct State {
-    particles: Vec<Particle>,
-    tally: Tally,
-    works: Works,
-    stored_energy: f64, // J
-    steps: u64,
+    /// What the discs remember.
+    pub(crate) discs: Memory,
+    /// Steps done.
+    pub(crate) steps: u64,
 }
 
 impl State {
@@ -108,15 +62,15 @@ impl State {
 
 /// Discs, an integrator and a clock.
 pub struct Simulation {
-    discs: Discs,
+    discs: Box<dyn Discs>,
     integrator: Box<dyn Integrator>,
     dt: f64, // s
     steps: u64,
 }
 
 impl Simulation {
-    /// A simulation at t = 0. `gravity` is the acceleration vector g in m/s2, `dt` the time step
-    /// in s, `forces` the contacts; others join by [`add_force`](Self::add_force).
+    /// A simulation at t = 0, the plain way. `gravity` is the acceleration vector g in m/s2, `dt` the
+    /// time step in s, `forces` the contacts; others join by [`add_force`](Self::add_force).
     pub fn new(
         particles: Vec<Particle>,
         gravity: DVec2,
@@ -124,26 +78,29 @@ impl Simulation {
         integrator: Box<dyn Integrator>,
         dt: f64,
     ) -> Self {
-        let mut discs = Discs {
-            particles,
-            gravity,
-            forces,
-            tally: Tally::default(),
-            works: Works::default(),
-            stored_energy: 0.0,
-            has_external_forces: false,
-        };
-        discs.update_forces();
+        let discs = PlainDiscs::new(particles, gravity, forces);
+        Self::of(Box::new(discs), integrator, dt)
+    }
+
+    /// A simulation of these discs at t = 0.
+    pub fn of(discs: Box<dyn Discs>, integrator: Box<dyn Integrator>, dt: f64) -> Self {
         Self { discs, integrator, dt, steps: 0 }
     }
 
     /// One time step.
     pub fn step(&mut self) {
-        self.integrator.step(&mut self.discs, self.dt);
-        for force in &mut self.discs.forces {
-            force.end_step(self.dt);
+        self.step_until(self.steps + 1);
+    }
+
+    /// Time steps until `end` steps are done: the same as so many times [`step`](Self::step), and
+    /// faster for many discs.
+    pub fn step_until(&mut self, end: u64) {
+        while self.steps < end {
+            self.integrator.step(self.discs.as_motion(), self.dt);
+            self.discs.end_step(self.dt);
+            self.steps += 1;
         }
-        self.steps += 1;
+        self.discs.settle();
     }
 
     /// Simulated time, s: steps done times the time step.
@@ -163,17 +120,33 @@ impl Simulation {
 
     /// The discs, in id order.
     pub fn particles(&self) -> &[Particle] {
-        &self.discs.particles
+        self.discs.particles()
+    }
+
+    /// The discs one after the other, in id order; for many discs cheaper than
+    /// [`particles`](Self::particles).
+    pub fn each_particle(&self) -> impl Iterator<Item = &Particle> {
+        (0..self.discs.count()).map(|id| self.discs.particle(id))
+    }
+
+    /// Number of discs.
+    pub fn n(&self) -> usize {
+        self.discs.count()
+    }
+
+    /// The sum of `quantity` over all discs, added in a fixed order.
+    pub fn sum_over(&self, quantity: impl Fn(&Particle) -> f64) -> f64 {
+        self.discs.sum(&quantity)
     }
 
     /// Acceleration of gravity as a vector, m/s2.
     pub fn gravity(&self) -> DVec2 {
-        self.discs.gravity
+        self.discs.gravity()
     }
 
     /// Energy stored in contacts (and other forces) in the present state, J.
     pub fn stored_energy(&self) -> f64 {
-        self.discs.stored_energy
+        self.discs.stored_energy()
     }
 
     /// The largest overlap so far, start included, as a fraction of the smaller radius.
@@ -183,31 +156,33 @@ impl Simulation {
 
     /// The same between discs only.
     pub fn largest_pair_overlap(&self) -> f64 {
-        self.discs.tally.largest_pair_overlap
+        self.discs.tally().largest_pair_overlap
     }
 
     /// How far the centres of two discs have come towards each other so far: their overlap over the
     /// sum of their radii, 1 once they meet; 0 as long as no overlap was larger than a radius.
     pub fn largest_sinking(&self) -> f64 {
-        self.discs.tally.largest_sinking
+        self.discs.tally().largest_sinking
     }
 
     /// The same at walls only.
     pub fn largest_wall_overlap(&self) -> f64 {
-        self.discs.tally.largest_wall_overlap
+        self.discs.tally().largest_wall_overlap
     }
 
     /// Works gathered since [`keep_work_ledger`](Self::keep_work_ledger), if it was called.
     pub fn works(&self) -> Option<&Works> {
-        self.discs.tally.shares.as_ref().map(|_| &self.discs.works)
+        self.discs.works()
+    }
+
+    /// Lists of near pairs made so far, where discs are many enough for it to matter.
+    pub fn lists_made(&self) -> u64 {
+        self.discs.lists_made()
     }
 
     /// From now on, books the work of every force at every kick.
     pub fn keep_work_ledger(&mut self) {
-        let shares = vec![Share::default(); self.discs.particles.len()];
-        self.discs.tally.shares = Some(shares);
-        self.discs.works = Works::default();
-        self.discs.update_forces();
+        self.discs.keep_work_ledger();
     }
 
     /// Steps with another integrator from now on.
@@ -215,47 +190,41 @@ impl Simulation {
         self.integrator = integrator;
     }
 
-    /// Adds a force that is not a contact. Its work is booked as external.
+    /// Adds a force that is not a contact. Its work is booked as external. From now on the discs are
+    /// stepped the plain way, in id order.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
-        self.discs.forces.push(force);
-        self.discs.has_external_forces = true;
-        self.discs.update_forces();
+        let none: Box<dyn Discs> = Box::new(PlainDiscs::new(Vec::new(), DVec2::ZERO, Vec::new()));
+        let discs = std::mem::replace(&mut self.discs, none);
+        self.discs = discs.with_force(force);
     }
 
     /// Changes the discs by hand between two steps. Forces follow the change (under velocity Verlet
     /// from the present velocity on), and the kinetic energy it gave is booked as external work.
     /// A change that changes nothing leaves the run as it was, to the bit.
     pub fn act(&mut self, change: impl FnOnce(&mut [Particle])) {
-        let before = self.discs.particles.clone();
-        change(&mut self.discs.particles);
-        if self.discs.particles == before {
-            return;
-        }
-        let after = work::kinetic_energy(&self.discs.particles);
-        self.discs.works.external.add(after - work::kinetic_energy(&before));
-        self.discs.update_forces();
+        let mut change = Some(change);
+        self.discs.act(&mut |particles| {
+            if let Some(change) = change.take() {
+                change(particles);
+            }
+        });
     }
 
     /// All that is remembered between two steps, to come back to.
     pub fn state(&self) -> State {
-        let Discs { particles, tally, works, stored_energy, .. } = &self.discs;
-        let (particles, tally) = (particles.clone(), tally.clone());
-        State { particles, tally, works: *works, stored_energy: *stored_energy, steps: self.steps }
+        State { discs: self.discs.memory(), steps: self.steps }
     }
 
     /// Goes back to `state`: the steps from there on have the same bits as the first time.
     pub fn set_state(&mut self, state: &State) {
-        let State { particles, tally, works, stored_energy, steps } = state.clone();
-        self.steps = steps;
-        let discs = &mut self.discs;
-        (discs.particles, discs.tally) = (particles, tally);
-        (discs.works, discs.stored_energy) = (works, stored_energy);
+        self.steps = state.steps;
+        self.discs.recall(&state.discs);
     }
 
     /// A 64-bit fingerprint of the state: FNV-1a (Fowler, Noll, Vo) over the step and then, in
     /// id order, x, y, vx, vy, r, m of each disc, all as little-endian bytes.
     pub fn state_hash(&self) -> u64 {
-        let words = self.particles().iter().flat_map(|p| {
+        let words = self.each_particle().flat_map(|p| {
             let (x, v) = (p.position, p.velocity);
             [x.x, x.y, v.x, v.y, p.radius, p.mass].map(f64::to_bits)
         });

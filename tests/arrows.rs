@@ -5,14 +5,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 15] = [
+const ARROWS: [(&str, &[&str]); 17] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
     ("force", &["particle", "neighbours"]),
     ("work", &["particle", "force"]),
     ("placement", &["particle", "neighbours"]),
-    ("simulation", &["particle", "force", "integrator", "placement", "work"]),
+    ("discs", &["particle", "force", "integrator", "work"]),
+    ("crowd", &["particle", "neighbours", "force", "integrator", "work", "discs"]),
+    ("simulation", &["particle", "force", "integrator", "discs", "placement", "work"]),
     ("analysis", &["particle", "neighbours", "work", "simulation"]),
     ("output", &["simulation", "analysis"]),
     (
@@ -23,6 +25,8 @@ const ARROWS: [(&str, &[&str]); 15] = [
             "integrator",
             "force",
             "placement",
+            "discs",
+            "crowd",
             "simulation",
             "analysis",
             "output",
@@ -36,18 +40,20 @@ const ARROWS: [(&str, &[&str]); 15] = [
 ];
 
 /// The outside crates that the physics may know; files and formats, clap and clocks may not.
-const PHYSICS: [&str; 8] = [
+const PHYSICS: [&str; 10] = [
     "particle",
     "neighbours",
     "integrator",
     "force",
     "work",
     "placement",
+    "discs",
+    "crowd",
     "simulation",
     "analysis",
 ];
-const PHYSICS_CRATES: [&str; 7] =
-    ["std", "glam", "rand", "rand_pcg", "thiserror", "serde", "crate"];
+const PHYSICS_CRATES: [&str; 8] =
+    ["std", "glam", "wide", "rand", "rand_pcg", "thiserror", "serde", "crate"];
 
 #[test]
 fn arrows_go_one_way() {

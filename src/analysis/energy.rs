@@ -19,8 +19,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::particle::Particle;
 use crate::simulation::Simulation;
-use crate::work::{kinetic_energy, sum_over};
 
 /// Mechanical energy of a state, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,11 +36,10 @@ pub struct MechanicalEnergy {
 impl MechanicalEnergy {
     /// The energy of the present state.
     pub fn of(simulation: &Simulation) -> Self {
-        let particles = simulation.particles();
         let gravity = simulation.gravity();
         Self {
-            kinetic: kinetic_energy(particles),
-            gravitational: sum_over(particles, |p| -p.mass * gravity.dot(p.position)),
+            kinetic: simulation.sum_over(Particle::kinetic_energy),
+            gravitational: simulation.sum_over(|p| -p.mass * gravity.dot(p.position)),
             elastic: simulation.stored_energy(),
         }
     }
@@ -82,7 +81,7 @@ impl EnergyLedger {
     /// Opens the ledger: from now on the simulation books its works.
     pub fn open(simulation: &mut Simulation) -> Self {
         simulation.keep_work_ledger();
-        Self { kinetic_at_start: kinetic_energy(simulation.particles()) }
+        Self { kinetic_at_start: simulation.sum_over(Particle::kinetic_energy) }
     }
 
     /// The ledger's line for the present state.

@@ -109,7 +109,7 @@ fn say_notes(scenario: &Scenario, simulation: &Simulation, seed_was_drawn: bool)
 
 fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
     let Stepping { simulation, watch, failure, .. } = stepping;
-    let n = simulation.particles().len();
+    let n = simulation.n();
     let particle_steps = n as f64 * simulation.steps() as f64;
     let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
@@ -126,7 +126,8 @@ fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
         steps: simulation.steps(),
         time_s: simulation.time(),
         wall_s: watch.wall_time(),
-        threads: 1,
+        threads: scenario.threads(),
+        list_rebuilds: simulation.lists_made(),
         particle_steps_per_s: particle_steps / watch.stepping_time().max(1e-9),
         energy_start_J: start,
         energy_end_J: end,

@@ -32,8 +32,7 @@ pub(super) struct Watch {
 
 impl Watch {
     pub fn start(simulation: &Simulation, steps: u64, slowdown: Option<f64>, quiet: bool) -> Self {
-        let mut steps_per_look =
-            (PARTICLE_STEPS_PER_LOOK / simulation.particles().len() as u64).max(1);
+        let mut steps_per_look = (PARTICLE_STEPS_PER_LOOK / simulation.n() as u64).max(1);
         if let Some(slowdown) = slowdown {
             // Look twice a refresh, so that a slow run moves smoothly.
             let per_look = 0.5 / (REFRESHES_PER_SECOND * slowdown * simulation.dt());
@@ -60,9 +59,7 @@ impl Watch {
     /// Steps the simulation up to step `until` and books the wall time it took.
     pub fn step_until(&mut self, simulation: &mut Simulation, until: u64) {
         let begun = Instant::now();
-        while simulation.steps() < until {
-            simulation.step();
-        }
+        simulation.step_until(until);
         self.stepping += begun.elapsed();
     }
 

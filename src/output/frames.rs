@@ -42,11 +42,11 @@ pub fn write_frame(
     let mut text = Vec::new();
     text.extend(format!("# step {} time_s ", simulation.steps()).as_bytes());
     push_g9(&mut text, simulation.time());
-    text.extend(format!(" n {} side_m ", simulation.particles().len()).as_bytes());
+    text.extend(format!(" n {} side_m ", simulation.n()).as_bytes());
     push_g9(&mut text, side);
     writeln!(text, " columns {}", columns.names())?;
     out.write_all(&text)?;
-    for disc in simulation.particles() {
+    for disc in simulation.each_particle() {
         text.clear();
         push_row(&mut text, &[disc.position.x, disc.position.y, disc.radius]);
         if columns == Columns::PositionsAndVelocities {

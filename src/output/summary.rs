@@ -34,6 +34,8 @@ pub struct Summary {
     pub wall_s: f64,
     /// Threads.
     pub threads: usize,
+    /// Lists of near pairs made, where discs are many enough for it to matter.
+    pub list_rebuilds: u64,
     /// Speed of the stepping with its ledger, without the writing of files.
     pub particle_steps_per_s: f64,
     /// Mechanical energy at the start, J.

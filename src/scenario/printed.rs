@@ -27,7 +27,7 @@ impl Scenario {
             }
             _ => self.to_toml(),
         };
-        let elsewhere = ["out_dir = ", "slowdown = ", "json = ", "quiet = "];
+        let elsewhere = ["out_dir = ", "slowdown = ", "threads = ", "json = ", "quiet = "];
         let is_kept = |line: &&str| !elsewhere.iter().any(|key| line.starts_with(key));
         // Keys of the top level come first; nothing of a disc begins with these.
         everything.lines().filter(is_kept).map(|line| format!("{line}\n")).collect()
@@ -105,6 +105,9 @@ impl Scenario {
         }
         if let Some(slowdown) = output.slowdown {
             writeln!(out, "slowdown = {slowdown:?}")?;
+        }
+        if let Some(threads) = output.threads {
+            writeln!(out, "threads = {threads}")?;
         }
         writeln!(out, "border = {}", output.border)?;
         writeln!(out, "json = {}", output.json)?;

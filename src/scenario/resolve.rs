@@ -138,16 +138,22 @@ fn step_choice(
     }
 }
 
+/// More threads than any machine of ours has; each takes memory.
+const MOST_THREADS: i64 = 256;
+
 fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
     let steps = |field, said: Option<i64>, least| {
         said.map(|k| whole(field, k, least..=i64::MAX, "leave it out for the default")).transpose()
     };
+    let cores = "leave it out for all cores";
+    let threads = settings.threads.map(|k| whole("threads", k, 1..=MOST_THREADS, cores));
     let slowdown = settings.slowdown.map(|x| positive("slowdown", x.si, "--slowdown 10"));
     Ok(OutputChoices {
         folder: settings.out_dir.clone().unwrap_or_else(|| ".".into()),
         every: steps("every", settings.every, 1)?,
         energy_every: steps("energy_every", settings.energy_every, 0)?,
         slowdown: slowdown.transpose()?,
+        threads: threads.transpose()?.map(|threads| threads as usize),
         border: settings.border.unwrap_or(false),
         json: settings.json.unwrap_or(false),
         quiet: settings.quiet.unwrap_or(false),

@@ -145,6 +145,11 @@ settings! {
     /// Seconds of wall time for a simulated second, to watch the run [default: full speed]
     #[arg(long, value_name = "X", allow_hyphen_values = true, help_heading = "Output")]
     slowdown: Quantity<Number>,
+    /// Threads that share the steps; the results are the same to the bit [default: one for few
+    /// discs, all cores from 4000 on]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Time")]
+    #[arg(value_parser = whole_number)]
+    threads: i64,
     /// Add the guide's fictitious border discs to out.txt
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
     #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Output")]

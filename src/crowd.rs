@@ -1,0 +1,422 @@
+//! Many discs, fast: the same physics as [`PlainDiscs`] with the contacts of [`crate::force`], to the
+//! same bits, on any number of threads.
+//!
+//! What it does otherwise:
+//! - Discs are stored cell by cell, so that those that touch lie close in memory too. Outside,
+//!   everything is in id order.
+//! - Kicks and drifts are put off until forces are asked for, and then done in one pass.
+//! - Each contact is computed once, two at a time; each disc then adds up its own in ascending id of
+//!   the partner, whoever computed them.
+//! - Both passes are shared out to threads by blocks of discs.
+//!
+//! Why the bits are the same is told in `docs/same-bits.md`.
+
+mod cells;
+mod contact_lanes;
+mod lane_law;
+mod motion;
+mod near;
+mod push;
+mod team;
+
+use std::sync::OnceLock;
+
+use glam::DVec2;
+
+use self::cells::{Cells, put_in_order};
+pub use self::lane_law::{ContactLanes, LaneLaw};
+use self::motion::{Block, Booked, Move};
+use self::near::{Near, best_skin};
+use self::push::{Largest, Pass, Ring, Share};
+use self::team::Team;
+use crate::discs::{Discs, Memory, PlainDiscs};
+use crate::force::{Contacts, Force, HalfPlane, Tally, Walls};
+use crate::integrator::Motion;
+use crate::neighbours::{Neighbours, largest_radius};
+use crate::particle::Particle;
+use crate::work::{Sum, Works};
+
+/// Discs in a block: what is moved, walked or summed in one go. Sums are kept block by block and then
+/// added in order, so that they do not depend on who did which.
+const BLOCK: usize = 256;
+
+/// Fewer discs than this are stepped by one thread unless more are asked for: sharing a step out costs
+/// some microseconds.
+pub const WORTH_SHARING: usize = 4000;
+
+/// Many discs with contacts between each other and with walls.
+pub struct Crowd<L> {
+    law: L,
+    planes: Vec<HalfPlane>,
+    gravity: DVec2, // m/s2
+    dt: f64,        // s
+    /// The discs as they are stored, and the id of each.
+    particles: Vec<Particle>,
+    ids: Vec<u32>,
+    /// Forces on the discs as they are stored, N; newer than those in the discs while `forces_are_new`.
+    forces: Vec<DVec2>,
+    forces_are_new: bool,
+    /// The springs' part of them, N; empty without ledger.
+    springs: Vec<DVec2>,
+    near: Near,
+    /// Asked for, and not done yet.
+    moves: Vec<Move>,
+    tally: Tally,
+    works: Option<Works>,
+    team: Team,
+    rings: Vec<Ring>,
+    /// Made when asked for: the discs in id order, and where each id is stored.
+    in_id_order: OnceLock<Vec<Particle>>,
+    places: OnceLock<Vec<u32>>,
+}
+
+impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
+    /// Discs under `gravity` (m/s2) that touch each other and the walls `planes` by `law`. They will be
+    /// moved on by `dt` (s) a step, by `threads` threads.
+    pub fn new(
+        particles: Vec<Particle>,
+        gravity: DVec2,
+        law: L,
+        planes: Vec<HalfPlane>,
+        dt: f64,
+        threads: usize,
+    ) -> Self {
+        let team = Team::of(threads);
+        let mut crowd = Self {
+            law,
+            planes,
+            gravity: gravity + DVec2::ZERO, // -0.0 would be told from the 0.0 of no contact
+            dt,
+            ids: (0..particles.len() as u32).collect(),
+            forces: vec![DVec2::ZERO; particles.len()],
+            particles,
+            forces_are_new: false,
+            springs: Vec::new(),
+            near: Near::default(),
+            moves: Vec::new(),
+            tally: Tally::default(),
+            works: None,
+            rings: (0..team.threads()).map(|_| Ring::default()).collect(),
+            team,
+            in_id_order: OnceLock::new(),
+            places: OnceLock::new(),
+        };
+        crowd.near.forget();
+        crowd.update_forces();
+        crowd.settle();
+        crowd
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.team.threads()
+    }
+
+    /// Does what was asked for, and makes a new list of near pairs if discs have moved too far for it.
+    fn carry_out(&mut self) {
+        let moves = std::mem::take(&mut self.moves);
+        if moves.is_empty() && !self.forces_are_new {
+            return;
+        }
+        self.in_id_order.take();
+        let blocks = self.particles.len().div_ceil(BLOCK);
+        let kicks = match self.works {
+            Some(_) => moves.iter().filter(|to_do| matches!(to_do, Move::Kick(_))).count(),
+            None => 0,
+        };
+        let mut books = vec![[0.0; 3]; blocks * kicks];
+        let farthest = self.move_blocks(&moves, kicks, &mut books);
+        self.moves = moves;
+        self.moves.clear();
+        self.forces_are_new = false;
+        self.book(kicks, &books);
+        if farthest > self.near.limit_squared {
+            self.near.forget();
+        }
+    }
+
+    /// Does the `moves`, block by block, and says how far any disc is from where it was listed: the
+    /// square of it, m2.
+    fn move_blocks(&mut self, moves: &[Move], kicks: usize, books: &mut [Booked]) -> f64 {
+        let n = self.particles.len();
+        let new_forces = if self.forces_are_new { &self.forces[..] } else { &[] };
+        let mut books = books.chunks_mut(kicks.max(1));
+        let blocks = self.particles.chunks_mut(BLOCK).enumerate().map(|(block, particles)| {
+            let here = block * BLOCK..((block + 1) * BLOCK).min(n);
+            Block {
+                particles,
+                forces: new_forces.get(here.clone()).unwrap_or_default(),
+                springs: self.springs.get(here.clone()).unwrap_or_default(),
+                listed_at: self.near.listed_at.get(here).unwrap_or_default(),
+                books: books.next().unwrap_or_default(),
+            }
+        });
+        let gravity = self.gravity;
+        let go = |farthest: f64, block: Block| farthest.max(block.go(moves, gravity));
+        if self.team.threads() == 1 {
+            return blocks.fold(0.0, go);
+        }
+        let mut blocks: Vec<_> = blocks.collect();
+        let share = blocks.len().div_ceil(self.team.threads()).max(1);
+        let mut farthest = vec![0.0; self.team.threads()];
+        let shares = farthest.iter_mut().map(|farthest| {
+            let rest = blocks.split_off(share.min(blocks.len()));
+            (farthest, std::mem::replace(&mut blocks, rest))
+        });
+        self.team.each(shares.collect(), |(farthest, blocks): (&mut f64, Vec<Block>)| {
+            *farthest = blocks.into_iter().fold(0.0, go);
+        });
+        farthest.into_iter().fold(0.0, f64::max)
+    }
+
+    /// Adds up what the blocks have booked, kick by kick and block by block.
+    fn book(&mut self, kicks: usize, books: &[Booked]) {
+        let Some(works) = &mut self.works else { return };
+        for kick in 0..kicks {
+            for [gravity, spring, dashpot] in books.iter().skip(kick).step_by(kicks) {
+                works.gravity.add(*gravity);
+                works.spring.add(*spring);
+                works.dashpot.add(*dashpot);
+            }
+        }
+    }
+
+    /// Stores the discs cell by cell and lists who is near whom. The skin is chosen for the present
+    /// speeds unless it is given, m.
+    fn list(&mut self, skin: Option<f64>) {
+        let radius = largest_radius(&self.particles);
+        let n = self.particles.len().max(1) as f64;
+        let mean = self.particles.iter().map(|p| p.radius).sum::<f64>() / n;
+        let fastest =
+            self.particles.iter().map(|p| p.velocity.length_squared()).fold(0.0, f64::max);
+        let travel = (fastest.sqrt() * self.dt).min(radius);
+        let skin = |density: f64| skin.unwrap_or_else(|| best_skin(mean, density, travel));
+
+        let mut cells = Cells::default();
+        cells.lay_out(&self.particles, |density| 2.0 * radius + skin(density));
+        let mut order = cells.order(&self.particles);
+        let (particles, ids, springs) = (&mut self.particles, &mut self.ids, &mut self.springs);
+        let mut is_moved = false;
+        put_in_order(&mut order, |a, b| {
+            is_moved = true;
+            particles.swap(a, b);
+            ids.swap(a, b);
+            if !springs.is_empty() {
+                springs.swap(a, b);
+            }
+        });
+        if is_moved {
+            self.in_id_order.take();
+            self.places.take();
+        }
+        let skin = skin(cells.density);
+        self.near.make(&self.particles, &self.ids, &self.planes, &cells, skin);
+    }
+
+    /// Stores the discs in id order again.
+    fn restore_id_order(&mut self) {
+        self.settle();
+        let mut order: Vec<u32> = vec![0; self.ids.len()];
+        for (place, &id) in (0..).zip(&self.ids) {
+            order[id as usize] = place;
+        }
+        put_in_order(&mut order, |a, b| {
+            self.particles.swap(a, b);
+            self.ids.swap(a, b);
+            if !self.springs.is_empty() {
+                self.springs.swap(a, b);
+            }
+        });
+        self.in_id_order.take();
+        self.places.take();
+        self.near.forget();
+    }
+
+    fn add_up_forces(&mut self) {
+        let blocks = self.particles.len().div_ceil(BLOCK);
+        if blocks == 0 {
+            return;
+        }
+        let each = blocks.div_ceil(self.team.threads());
+        let pass = Pass {
+            law: &self.law,
+            planes: &self.planes,
+            gravity: self.gravity,
+            particles: &self.particles,
+            near: &self.near,
+        };
+        let mut largest = vec![Largest::of(&self.tally); self.team.threads()];
+        let mut springs = self.springs.chunks_mut(each * BLOCK);
+        let forces = self.forces.chunks_mut(each * BLOCK);
+        let shares = forces.zip(&mut self.rings).zip(&mut largest).enumerate();
+        let shares = shares.map(|(k, ((forces, ring), largest))| Share {
+            blocks: k * each..((k + 1) * each).min(blocks),
+            forces,
+            springs: springs.next().unwrap_or_default(),
+            ring,
+            largest,
+        });
+        self.team.each(shares.collect(), |share| pass.serve(share));
+        let mut all = Largest::of(&self.tally);
+        largest.iter().for_each(|largest| all.join(largest));
+        self.tally = all.tally;
+        self.forces_are_new = true;
+    }
+}
+
+impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
+    fn kick(&mut self, dt: f64) {
+        self.moves.push(Move::Kick(dt));
+    }
+
+    fn drift(&mut self, dt: f64) {
+        self.moves.push(Move::Drift(dt));
+    }
+
+    fn update_forces(&mut self) {
+        self.carry_out();
+        if self.near.limit_squared < 0.0 {
+            self.list(None);
+        }
+        self.add_up_forces();
+    }
+
+    fn particles_mut(&mut self) -> &mut [Particle] {
+        self.restore_id_order();
+        &mut self.particles
+    }
+}
+
+impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
+    fn as_motion(&mut self) -> &mut dyn Motion {
+        self
+    }
+
+    fn settle(&mut self) {
+        self.carry_out();
+    }
+
+    fn particles(&self) -> &[Particle] {
+        if self.ids.is_sorted() {
+            return &self.particles;
+        }
+        self.in_id_order.get_or_init(|| (0..self.count()).map(|id| *self.particle(id)).collect())
+    }
+
+    fn particle(&self, id: usize) -> &Particle {
+        let places = self.places.get_or_init(|| {
+            let mut places = vec![0; self.ids.len()];
+            for (place, &id) in (0..).zip(&self.ids) {
+                places[id as usize] = place;
+            }
+            places
+        });
+        &self.particles[places[id] as usize]
+    }
+
+    fn count(&self) -> usize {
+        self.particles.len()
+    }
+
+    fn sum(&self, quantity: &dyn Fn(&Particle) -> f64) -> f64 {
+        let mut total = Sum::default();
+        for block in self.particles.chunks(BLOCK) {
+            total.add(block.iter().map(quantity).sum());
+        }
+        total.value()
+    }
+
+    fn gravity(&self) -> DVec2 {
+        self.gravity
+    }
+
+    fn stored_energy(&self) -> f64 {
+        let pass = Pass {
+            law: &self.law,
+            planes: &self.planes,
+            gravity: self.gravity,
+            particles: &self.particles,
+            near: &self.near,
+        };
+        let mut total = Sum::default();
+        (0..self.particles.len().div_ceil(BLOCK)).for_each(|k| total.add(pass.stored_energy(k)));
+        total.value()
+    }
+
+    fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    fn works(&self) -> Option<&Works> {
+        self.works.as_ref()
+    }
+
+    fn keep_work_ledger(&mut self) {
+        self.settle();
+        self.springs = vec![DVec2::ZERO; self.particles.len()];
+        self.works = Some(Works::default());
+        self.update_forces();
+        self.settle();
+    }
+
+    fn act(&mut self, change: &mut dyn FnMut(&mut [Particle])) {
+        let before = self.particles().to_vec();
+        let mut after = before.clone();
+        change(&mut after);
+        if after == before {
+            return;
+        }
+        let kinetic = |discs: &[Particle]| crate::work::kinetic_energy(discs);
+        let given = kinetic(&after) - kinetic(&before);
+        if let Some(works) = &mut self.works {
+            works.external.add(given);
+        }
+        for (disc, &id) in self.particles.iter_mut().zip(&self.ids) {
+            *disc = after[id as usize];
+        }
+        self.near.forget();
+        self.update_forces();
+        self.settle();
+    }
+
+    fn with_force(mut self: Box<Self>, force: Box<dyn Force>) -> Box<dyn Discs> {
+        self.restore_id_order();
+        let Self { law, planes, gravity, particles, tally, works, .. } = *self;
+        let walls: Box<dyn Force> = Box::new(Walls { law: law.clone(), planes });
+        let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
+        let discs = PlainDiscs::new(particles, gravity, vec![walls, contacts]);
+        Box::new(discs.with_books(tally, works)).with_force(force)
+    }
+
+    fn memory(&self) -> Memory {
+        Memory {
+            particles: self.particles.clone(),
+            ids: self.ids.clone(),
+            tally: self.tally.clone(),
+            works: self.works.unwrap_or_default(),
+            stored_energy: 0.0,
+            springs: self.springs.clone(),
+            listed_at: self.near.listed_at.clone(),
+            skin: self.near.skin,
+            limit_squared: self.near.limit_squared,
+        }
+    }
+
+    fn recall(&mut self, memory: &Memory) {
+        let Memory { particles, ids, tally, works, springs, .. } = memory;
+        self.particles.clone_from(particles);
+        self.ids.clone_from(ids);
+        self.springs.clone_from(springs);
+        self.tally = tally.clone();
+        self.works = self.works.map(|_| *works);
+        self.moves.clear();
+        self.forces_are_new = false;
+        self.in_id_order.take();
+        self.places.take();
+        self.near.recall(memory, &self.ids, &self.planes);
+    }
+
+    fn lists_made(&self) -> u64 {
+        self.near.made
+    }
+}

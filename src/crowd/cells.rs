@@ -1,0 +1,121 @@
+//! Square cells, row by row, and discs stored in their order.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use crate::particle::Particle;
+
+/// Discs looked at to learn where most of them are.
+const SAMPLE: usize = 1000;
+
+/// A grid of cells; discs outside it belong to its nearest cell, so that every disc is somewhere.
+#[derive(Default)]
+pub(super) struct Cells {
+    corner: DVec2, // m
+    per_metre: f64,
+    columns: usize,
+    rows: usize,
+    /// The first place of each cell's discs, and the end.
+    starts: Vec<u32>,
+    /// The fraction of their ground that the discs cover.
+    pub density: f64,
+}
+
+impl Cells {
+    /// Cells of at least `reach` (m) where most discs are, at most about one a disc.
+    pub fn lay_out(&mut self, particles: &[Particle], reach: impl Fn(f64) -> f64) {
+        let n = particles.len().max(1);
+        let (left, right) = usual_range(particles, |p| p.position.x);
+        let (low, high) = usual_range(particles, |p| p.position.y);
+        let (width, height) = (right - left, high - low);
+        let areas =
+            particles.iter().map(|p| p.radius * p.radius).sum::<f64>() * std::f64::consts::PI;
+        self.density = (areas / (width * height)).clamp(1e-3, 1.0);
+        let side = reach(self.density)
+            .max((width * height / n as f64).sqrt())
+            .max(width.max(height) / n as f64);
+        self.corner = DVec2::new(left, low);
+        self.per_metre = 1.0 / side;
+        let along = |length: f64| ((length / side).max(0.0) as usize).max(1);
+        (self.columns, self.rows) = (along(width), along(height));
+    }
+
+    fn column_and_row(&self, position: DVec2) -> (usize, usize) {
+        let cell = (position - self.corner) * self.per_metre;
+        // `as` sends negative numbers and NaN to 0 and large ones to the last cell.
+        ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1))
+    }
+
+    /// The order in which the discs are to be stored: for each place, where its disc is now. Discs of
+    /// a cell keep their order.
+    pub fn order(&mut self, particles: &[Particle]) -> Vec<u32> {
+        let cell_of = |p: &Particle| {
+            let (column, row) = self.column_and_row(p.position);
+            row * self.columns + column
+        };
+        let mut starts = vec![0; self.columns * self.rows + 1];
+        for p in particles {
+            starts[cell_of(p)] += 1;
+        }
+        let mut end = 0;
+        for start in &mut starts {
+            end += *start;
+            *start = end;
+        }
+        let mut order = vec![0; particles.len()];
+        for (now, p) in particles.iter().enumerate().rev() {
+            let start = &mut starts[cell_of(p)];
+            *start -= 1;
+            order[*start as usize] = now as u32;
+        }
+        self.starts = starts;
+        order
+    }
+
+    /// The places of discs in the same and the neighbouring cells of the disc at `place`, without
+    /// those before it: the rest of its own cell and the next, and three cells of the row above.
+    pub fn ahead_of(&self, place: usize, position: DVec2) -> [Range<usize>; 2] {
+        let (column, row) = self.column_and_row(position);
+        let right = (column + 1).min(self.columns - 1);
+        let start = |row: usize, column: usize| self.starts[row * self.columns + column] as usize;
+        let end = |row: usize, column: usize| self.starts[row * self.columns + column + 1] as usize;
+        let here = place + 1..end(row, right);
+        if row + 1 == self.rows {
+            return [here, 0..0];
+        }
+        [here, start(row + 1, column.saturating_sub(1))..end(row + 1, right)]
+    }
+}
+
+/// Where most discs are, from a sample of them: one far away must not make every cell huge.
+fn usual_range(particles: &[Particle], coordinate: impl Fn(&Particle) -> f64) -> (f64, f64) {
+    let stride = particles.len().div_ceil(SAMPLE).max(1);
+    let sample = particles.iter().step_by(stride).map(coordinate).filter(|x| x.is_finite());
+    let mut sample: Vec<f64> = sample.collect();
+    sample.sort_unstable_by(f64::total_cmp);
+    match sample.len().checked_sub(1) {
+        None => (0.0, 0.0),
+        Some(last) => {
+            let (low, high) = (sample[last / 50], sample[last - last / 50]);
+            let margin = 0.03 * (high - low);
+            (low - margin, high + margin)
+        }
+    }
+}
+
+/// Moves the disc at `order[place]` to `place`, for all places, and all that lies beside the discs
+/// with them, in place. `order` is used up.
+pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
+    for first in 0..order.len() {
+        let mut place = first;
+        loop {
+            let from = std::mem::replace(&mut order[place], place as u32) as usize;
+            if from == first || from == place {
+                break;
+            }
+            swap(place, from);
+            place = from;
+        }
+    }
+}
