@@ -5,9 +5,11 @@ mod check;
 mod doctor;
 mod drift;
 mod interrupt;
+mod keeper;
 mod plot;
 mod presets;
 mod report;
+mod resume;
 mod run;
 mod stepping;
 mod typed;
@@ -41,6 +43,7 @@ pub fn run() -> ExitCode {
         Some(Command::Drift(arguments)) => drift::run(&arguments),
         Some(Command::Plot(arguments)) => plot::plot(&arguments),
         Some(Command::Report(arguments)) => report::report(&arguments),
+        Some(Command::Resume(arguments)) => resume::resume(&arguments),
         Some(Command::Presets) => presets::print(),
     };
     match done {
@@ -99,6 +102,9 @@ enum Command {
     /// Write one HTML page of a run, to hand in: parameters, diagnosis, pictures
     #[command(after_help = report::EXAMPLES)]
     Report(report::ReportArguments),
+    /// Go on from a checkpoint, and end with the same bits as a run never interrupted
+    #[command(after_help = resume::EXAMPLES)]
+    Resume(Box<resume::ResumeArguments>),
     /// List the presets and their numbers
     Presets,
     /// Say which optional programs are there, and what each is good for
@@ -116,6 +122,8 @@ enum Failure {
     Plot(#[from] plot::PlotError),
     #[error(transparent)]
     Report(#[from] report::ReportError),
+    #[error(transparent)]
+    Resume(#[from] resume::ResumeError),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
     UnknownCommand { word: String, known: String, advice: String },
     #[error("{0}")]
@@ -149,6 +157,7 @@ impl Failure {
             | Self::Output(_)
             | Self::Plot(_)
             | Self::Report(_)
+            | Self::Resume(_)
             | Self::UnknownCommand { .. } => ExitCode::from(2),
         }
     }

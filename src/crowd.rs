@@ -29,7 +29,7 @@ use self::motion::{Block, Booked, Move};
 use self::near::{Near, best_skin};
 use self::push::{Largest, Pass, Ring, Share};
 use self::team::Team;
-use crate::discs::{Discs, Memory, PlainDiscs};
+use crate::discs::{Discs, PlainDiscs, Snapshot};
 use crate::force::{Contacts, Force, HalfPlane, Tally, Walls};
 use crate::integrator::Motion;
 use crate::neighbours::{Neighbours, largest_radius};
@@ -388,8 +388,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         Box::new(discs.with_books(tally, works)).with_force(force)
     }
 
-    fn memory(&self) -> Memory {
-        Memory {
+    fn snapshot(&self) -> Snapshot {
+        Snapshot {
             particles: self.particles.clone(),
             ids: self.ids.clone(),
             tally: self.tally.clone(),
@@ -402,8 +402,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         }
     }
 
-    fn recall(&mut self, memory: &Memory) {
-        let Memory { particles, ids, tally, works, springs, .. } = memory;
+    fn restore(&mut self, snapshot: &Snapshot) {
+        let Snapshot { particles, ids, tally, works, springs, .. } = snapshot;
         self.particles.clone_from(particles);
         self.ids.clone_from(ids);
         self.springs.clone_from(springs);
@@ -413,7 +413,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.forces_are_new = false;
         self.in_id_order.take();
         self.places.take();
-        self.near.recall(memory, &self.ids, &self.planes);
+        self.near.restore(snapshot, &self.ids, &self.planes);
     }
 
     fn lists_made(&self) -> u64 {

@@ -42,9 +42,9 @@ pub trait Discs: Motion + Send {
     /// The same discs with one more force.
     fn with_force(self: Box<Self>, force: Box<dyn Force>) -> Box<dyn Discs>;
     /// All that is remembered between two steps.
-    fn memory(&self) -> Memory;
+    fn snapshot(&self) -> Snapshot;
     /// Goes back to what was remembered.
-    fn recall(&mut self, memory: &Memory);
+    fn restore(&mut self, snapshot: &Snapshot);
     /// Lists of near pairs made so far.
     fn lists_made(&self) -> u64 {
         0
@@ -53,7 +53,7 @@ pub trait Discs: Motion + Send {
 
 /// All that discs remember between two steps.
 #[derive(Clone, Default)]
-pub struct Memory {
+pub struct Snapshot {
     /// The discs, as they are stored.
     pub particles: Vec<Particle>,
     /// Their ids; empty if they are stored in id order.
@@ -213,18 +213,18 @@ impl Discs for PlainDiscs {
         self
     }
 
-    fn memory(&self) -> Memory {
-        Memory {
+    fn snapshot(&self) -> Snapshot {
+        Snapshot {
             particles: self.particles.clone(),
             tally: self.tally.clone(),
             works: self.works,
             stored_energy: self.stored_energy,
-            ..Memory::default()
+            ..Snapshot::default()
         }
     }
 
-    fn recall(&mut self, memory: &Memory) {
-        let Memory { particles, tally, works, stored_energy, .. } = memory.clone();
+    fn restore(&mut self, snapshot: &Snapshot) {
+        let Snapshot { particles, tally, works, stored_energy, .. } = snapshot.clone();
         (self.particles, self.tally, self.works, self.stored_energy) =
             (particles, tally, works, stored_energy);
     }

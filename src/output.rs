@@ -8,6 +8,7 @@ pub mod drift;
 pub mod energy;
 pub mod failure;
 pub mod frames;
+pub mod growing;
 pub mod live;
 pub mod marks;
 pub mod number;
@@ -53,6 +54,19 @@ pub enum OutputError {
     ForeignRecord {
         /// The file.
         path: PathBuf,
+    },
+    /// Before a run goes on: a file is not the one that the run of the checkpoint wrote.
+    #[error(
+        "cannot continue {}: {why}\n  way out: put the file of that run back beside its checkpoint, or try \
+         the previous checkpoint; if it is lost, run the scenario again: it is in the first lines of the \
+         checkpoint",
+        path.display()
+    )]
+    NotOfThatRun {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
     },
     /// During the run.
     #[error("writing {} failed: {source}\n  what was written before is kept; way out: more room, or another folder", path.display())]

@@ -3,6 +3,7 @@
 //!
 //! Values come in layers: preset, then scenario file, then flags.
 
+pub mod continued;
 pub mod diagnosis;
 mod discs;
 pub mod error;
@@ -36,7 +37,7 @@ use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
 use crate::analysis::stability::{self, Assembly, Limit, Species};
 use crate::crowd::{Crowd, WORTH_SHARING};
-use crate::discs::PlainDiscs;
+use crate::discs::{Discs, PlainDiscs};
 use crate::force::{Contacts, HalfPlane, Walls};
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
 use crate::neighbours::Neighbours;
@@ -182,6 +183,8 @@ pub struct OutputChoices {
     pub slowdown: Option<f64>,
     /// Threads that share the steps, if said.
     pub threads: Option<usize>,
+    /// Seconds of wall time between checkpoints, if said.
+    pub checkpoint_every: Option<f64>,
     /// Whether `out.txt` has the guide's border discs.
     pub border: bool,
     /// Summary as JSON.
@@ -315,43 +318,44 @@ impl Scenario {
 
     /// Places the discs and puts the simulation together, at t = 0.
     pub fn build(&self) -> Result<Simulation, ScenarioError> {
-        let is_crowd = self.n() >= CROWD || self.threads() > 1;
-        if is_crowd { self.build_crowd(self.threads()) } else { self.build_plain() }
+        Ok(self.assemble(self.place()?, self.is_crowd()))
     }
 
-    /// The same with few discs in mind: one thing after the other, in id order.
-    pub fn build_plain(&self) -> Result<Simulation, ScenarioError> {
-        let (law, gravity) = (self.law(), self.gravity_vector());
-        let walls = Box::new(Walls { law, planes: self.planes() });
-        let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
-        let discs = PlainDiscs::new(self.place()?, gravity, vec![walls, contacts]);
-        Ok(Simulation::of(Box::new(discs), self.new_integrator(), self.dt()))
+    /// Whether there are so many discs that storing them by cell pays.
+    fn is_crowd(&self) -> bool {
+        self.n() >= CROWD
     }
 
-    /// The same with many discs in mind, shared by `threads`: to the same bits.
-    pub fn build_crowd(&self, threads: usize) -> Result<Simulation, ScenarioError> {
+    /// Puts the simulation of these discs together, at t = 0: as a crowd, or the plain way, one thing
+    /// after the other in id order. Both have the same bits.
+    pub fn assemble(&self, particles: Vec<Particle>, as_crowd: bool) -> Simulation {
         let (law, gravity, dt) = (self.law(), self.gravity_vector(), self.dt());
-        let discs = Crowd::new(self.place()?, gravity, law, self.planes(), dt, threads);
-        Ok(Simulation::of(Box::new(discs), self.new_integrator(), dt))
-    }
-
-    /// Threads that share the steps: those said, or one for each core where that pays.
-    pub fn threads(&self) -> usize {
-        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-        let usual = || if self.n() < WORTH_SHARING { 1 } else { cores() };
-        self.output.threads.unwrap_or_else(usual)
-    }
-
-    fn planes(&self) -> Vec<HalfPlane> {
-        if self.walls { HalfPlane::square(self.side).to_vec() } else { Vec::new() }
-    }
-
-    fn new_integrator(&self) -> Box<dyn Integrator> {
-        match self.integrator {
+        let square = HalfPlane::square(self.side);
+        let planes = if self.walls { square.to_vec() } else { Vec::new() };
+        let discs: Box<dyn Discs> = if as_crowd {
+            Box::new(Crowd::new(particles, gravity, law, planes, dt, self.threads()))
+        } else {
+            let walls = Box::new(Walls { law, planes });
+            let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
+            Box::new(PlainDiscs::new(particles, gravity, vec![walls, contacts]))
+        };
+        let integrator: Box<dyn Integrator> = match self.integrator {
             IntegratorName::SymplecticEuler => Box::new(SymplecticEuler),
             IntegratorName::ExplicitEuler => Box::new(ExplicitEuler),
             IntegratorName::VelocityVerlet => Box::new(VelocityVerlet),
+        };
+        Simulation::of(discs, integrator, dt)
+    }
+
+    /// Threads that share the steps: those said, or one for each core where that pays; one where there
+    /// is nothing to share.
+    pub fn threads(&self) -> usize {
+        if !self.is_crowd() {
+            return 1;
         }
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        let usual = || if self.n() < WORTH_SHARING { 1 } else { cores() };
+        self.output.threads.unwrap_or_else(usual)
     }
 }
 

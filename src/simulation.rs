@@ -3,11 +3,13 @@
 //! m a = m g + sum f_c: the [`Discs`] add the right-hand side up, an [`Integrator`] turns it into
 //! motion. Here too: Eq. (2), the time step, and the placing of the discs.
 
+pub mod state;
+
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use crate::discs::{Discs, Memory, PlainDiscs};
+use crate::discs::{Discs, PlainDiscs, Snapshot};
 use crate::force::Force;
 use crate::integrator::Integrator;
 use crate::particle::Particle;
@@ -48,7 +50,7 @@ pub fn place_discs(
 #[derive(Clone)]
 pub struct State {
     /// What the discs remember.
-    pub(crate) discs: Memory,
+    pub(crate) discs: Snapshot,
     /// Steps done.
     pub(crate) steps: u64,
 }
@@ -212,13 +214,13 @@ impl Simulation {
 
     /// All that is remembered between two steps, to come back to.
     pub fn state(&self) -> State {
-        State { discs: self.discs.memory(), steps: self.steps }
+        State { discs: self.discs.snapshot(), steps: self.steps }
     }
 
     /// Goes back to `state`: the steps from there on have the same bits as the first time.
     pub fn set_state(&mut self, state: &State) {
         self.steps = state.steps;
-        self.discs.recall(&state.discs);
+        self.discs.restore(&state.discs);
     }
 
     /// A 64-bit fingerprint of the state: FNV-1a (Fowler, Noll, Vo) over the step and then, in

@@ -84,8 +84,8 @@ pub fn sum_over(particles: &[Particle], quantity: impl Fn(&Particle) -> f64) -> 
 /// works do not drown in one large one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sum {
-    value: f64,
-    carry: f64,
+    pub(crate) value: f64,
+    pub(crate) carry: f64,
 }
 
 impl Sum {

@@ -428,7 +428,7 @@ mod signals {
             assert!(energy.lines().last().unwrap().starts_with(&format!("{step},")), "{energy}");
             assert!(energy.ends_with('\n'));
             assert!(read("last-run.toml").contains("# result: interrupted = true"));
-            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 5); // and a checkpoint
         }
     }
 
@@ -447,7 +447,7 @@ mod signals {
         assert_eq!(summary["interrupted"], true);
         let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
         assert!(out.starts_with(&format!("# step {} ", summary["steps"])), "{out}");
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 5); // and a checkpoint
     }
 
     #[test]
@@ -473,7 +473,7 @@ mod signals {
             let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
             let kept = out == "precious";
             assert!(kept || out.lines().count() == 200_001, "{delay} ms: {}", out.lines().count());
-            let files = if kept { 3 } else { 4 };
+            let files = if kept { 3 } else { 5 }; // and last-run.toml, and a checkpoint
             assert_eq!(fs::read_dir(folder.path()).unwrap().count(), files, "{delay} ms");
         }
     }

@@ -30,8 +30,17 @@ const SCENES: [(&str, &str, u64); 7] = [
     ),
 ];
 
-fn scenario(text: &str) -> Scenario {
-    Scenario::from_toml(text).unwrap()
+fn plain(text: &str) -> Simulation {
+    let mut start = Scenario::from_toml(text).unwrap();
+    let discs = start.build().unwrap().particles().to_vec();
+    start.output.threads = Some(1);
+    start.assemble(discs, false)
+}
+
+fn crowd(text: &str, threads: usize) -> Simulation {
+    let mut start = Scenario::from_toml(text).unwrap();
+    start.output.threads = Some(threads);
+    start.build().unwrap()
 }
 
 /// What must agree to the bit.
@@ -47,13 +56,13 @@ fn outcome(simulation: &Simulation) -> (u64, [u64; 3]) {
 #[test]
 fn a_crowd_has_the_bits_of_the_plain_way_on_any_number_of_threads() {
     for (name, text, steps) in SCENES {
-        let mut plain = scenario(text).build_plain().unwrap();
+        let mut plain = plain(text);
         let moved_from = plain.state_hash();
         (0..steps).for_each(|_| plain.step());
         assert_ne!(plain.state_hash(), moved_from);
         assert!(plain.largest_overlap() > 0.01, "{name} is no test: nothing touches");
         for threads in [1, 2, 3, 4, 8] {
-            let mut crowd = scenario(text).build_crowd(threads).unwrap();
+            let mut crowd = crowd(text, threads);
             crowd.step_until(steps);
             assert_eq!(outcome(&crowd), outcome(&plain), "{name} on {threads} threads");
             assert!(crowd.lists_made() > 2, "{name}: {} lists", crowd.lists_made());
@@ -69,11 +78,11 @@ fn ledger_batches_and_looks_change_no_bit() {
             let row = ledger.row(simulation);
             [row.kinetic_J, row.elastic_J, row.dissipated_J, row.work_error_J].map(f64::to_bits)
         };
-        let mut whole = scenario(text).build_crowd(1).unwrap();
+        let mut whole = crowd(text, 1);
         let ledger = EnergyLedger::open(&mut whole);
         whole.step_until(steps);
         for (threads, batch) in [(1, 1), (2, 7), (3, 64)] {
-            let mut parts = scenario(text).build_crowd(threads).unwrap();
+            let mut parts = crowd(text, threads);
             let ledger_of_parts = EnergyLedger::open(&mut parts);
             while parts.steps() < steps {
                 parts.step_until((parts.steps() + batch).min(steps));
@@ -84,7 +93,7 @@ fn ledger_batches_and_looks_change_no_bit() {
             let (seen, wanted) = (energies(&parts, &ledger_of_parts), energies(&whole, &ledger));
             assert_eq!(seen, wanted, "{name}, {batch} steps at a time");
         }
-        let mut without = scenario(text).build_crowd(2).unwrap();
+        let mut without = crowd(text, 2);
         without.step_until(steps);
         assert_eq!(outcome(&without), outcome(&whole), "{name} without ledger");
     }
@@ -93,7 +102,7 @@ fn ledger_batches_and_looks_change_no_bit() {
 #[test]
 fn a_state_come_back_to_goes_on_to_the_same_bits() {
     for (name, text, steps) in SCENES {
-        let mut straight = scenario(text).build_crowd(1).unwrap();
+        let mut straight = crowd(text, 1);
         let ledger = EnergyLedger::open(&mut straight);
         straight.step_until(steps / 3);
         let state = straight.state();
@@ -104,7 +113,7 @@ fn a_state_come_back_to_goes_on_to_the_same_bits() {
         straight.step_until(steps);
         assert_eq!((outcome(&straight), ledger.row(&straight)), wanted, "{name}, the same crowd");
 
-        let mut other = scenario(text).build_crowd(2).unwrap();
+        let mut other = crowd(text, 2);
         other.keep_work_ledger();
         other.set_state(&state);
         other.step_until(steps);

@@ -84,6 +84,17 @@ impl EnergyLedger {
         Self { kinetic_at_start: simulation.sum_over(Particle::kinetic_energy) }
     }
 
+    /// A ledger of a run that goes on: the simulation has its works, the discs had this kinetic energy
+    /// (J) when the ledger was opened.
+    pub fn continued(kinetic_at_start: f64) -> Self {
+        Self { kinetic_at_start }
+    }
+
+    /// Kinetic energy when the ledger was opened, J.
+    pub fn kinetic_at_start(&self) -> f64 {
+        self.kinetic_at_start
+    }
+
     /// The ledger's line for the present state.
     pub fn row(&self, simulation: &Simulation) -> LedgerRow {
         let energy = MechanicalEnergy::of(simulation);

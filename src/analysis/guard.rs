@@ -72,6 +72,17 @@ pub struct Trouble {
     pub dissipated: Option<f64>,
 }
 
+/// What a guard knows of the past of its run, besides a good state: enough to go on guarding it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory {
+    /// Energy at the start, J.
+    pub start: MechanicalEnergy,
+    /// What could move the discs at the start, J.
+    pub movable: f64,
+    /// The step of the last look, if the energy had grown then.
+    pub grown_at: Option<u64>,
+}
+
 /// Watches one run.
 pub struct Guard {
     side: Option<f64>, // m, of the box, if it has walls
@@ -90,15 +101,30 @@ impl Guard {
     pub fn new(simulation: &Simulation, side: Option<f64>, soft: bool) -> Self {
         let start = MechanicalEnergy::of(simulation);
         let height = height_to_fall(simulation.particles(), simulation.gravity(), side);
-        Self {
-            side,
-            soft,
-            start,
-            movable: start.kinetic + start.elastic + height,
-            kept: simulation.state(),
-            looks: 0,
-            grown_at: None,
-        }
+        let movable = start.kinetic + start.elastic + height;
+        Self::continued(simulation, side, soft, Memory { start, movable, grown_at: None })
+    }
+
+    /// A guard that goes on where another, whose `memory` it has, left a good state: it finds the same
+    /// trouble at the same step, for none began before that state.
+    pub fn continued(
+        simulation: &Simulation,
+        side: Option<f64>,
+        soft: bool,
+        memory: Memory,
+    ) -> Self {
+        let Memory { start, movable, grown_at } = memory;
+        Self { side, soft, start, movable, kept: simulation.state(), looks: 0, grown_at }
+    }
+
+    /// What another guard must know to go on.
+    pub fn memory(&self) -> Memory {
+        Memory { start: self.start, movable: self.movable, grown_at: self.grown_at }
+    }
+
+    /// Whether nothing is wrong with the present state. Changes nothing.
+    pub fn finds_good(&self, simulation: &Simulation) -> bool {
+        self.wrong(simulation).is_none()
     }
 
     /// The step at which to look next.

@@ -8,8 +8,9 @@ use clap::Args;
 use rand::TryRng;
 
 use super::interrupt::Interrupt;
+use super::keeper::Origin;
 use super::stepping::Stepping;
-use super::typed::typed;
+use super::typed;
 use super::watch::placing_spinner;
 use super::{Failure, answer};
 use crate::analysis::energy::MechanicalEnergy;
@@ -48,28 +49,45 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let plan = OutputPlan { record, ..scenario.output_plan() };
     let recorder = Recorder::create(&plan, &mut simulation)?;
     say_notes(&scenario, &simulation, seed_was_drawn);
-    let start = MechanicalEnergy::of(&simulation).total();
-    let start_overlap = simulation.largest_overlap();
-    let mut stepping = Stepping::begin(&scenario, simulation, recorder);
-    stepping.go(|| interrupt.is_raised())?;
+    let origin = Origin { command: typed::words(), overlap: simulation.largest_overlap() };
+    conclude(Stepping::begin(&scenario, simulation, recorder, origin), &interrupt)
+}
 
-    let summary = summary(&scenario, &stepping, start);
-    let command = format!("{} = {}", record::COMMAND, typed());
+/// Steps to the end and reports.
+pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<ExitCode, Failure> {
+    let scenario = stepping.scenario;
+    if let Err(failure) = stepping.go(|| interrupt.is_raised()) {
+        if let Some(way_back) = stepping.keeper.way_back() {
+            say(scenario, &format!("once there is room, {way_back}"));
+        }
+        return Err(failure);
+    }
+    let summary = summary(scenario, &stepping);
+    let command = format!("{} = {}", record::COMMAND, typed::line(&stepping.origin.command));
     stepping.record_results(&[vec![command], summary.results()].concat())?;
-    match report(&scenario, &summary, start_overlap) {
+    match report(scenario, &summary, stepping.origin.overlap) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
         done => done?,
     }
     let is_stopped = stepping.is_stopped();
-    match stepping.failure {
-        Some(failure) if is_stopped => Err(Failure::WentWrong(Box::new(failure))),
-        failure => {
-            if let (Some(failure), false) = (failure, scenario.output.quiet) {
-                let _ = writeln!(io::stderr(), "note: {failure}"); // a closed stderr is no failure
-            }
-            let is_done = stepping.simulation.steps() >= scenario.steps();
-            Ok(ExitCode::from(if is_done { 0 } else { 130 }))
-        }
+    match stepping.failure.take() {
+        Some(failure) if is_stopped => return Err(Failure::WentWrong(Box::new(failure))),
+        Some(failure) => say(scenario, &failure.to_string()),
+        None => {}
+    }
+    if stepping.is_done() {
+        return Ok(ExitCode::SUCCESS);
+    }
+    let way_back = stepping.keeper.way_back();
+    let way_back = way_back.unwrap_or("no good state was left to go on from".to_owned());
+    say(scenario, &format!("interrupted; {way_back}"));
+    Ok(ExitCode::from(130))
+}
+
+/// A remark on standard error.
+fn say(scenario: &Scenario, what: &str) {
+    if !scenario.output.quiet {
+        let _ = writeln!(io::stderr(), "note: {what}"); // a closed stderr is no failure
     }
 }
 
@@ -107,10 +125,11 @@ fn say_notes(scenario: &Scenario, simulation: &Simulation, seed_was_drawn: bool)
     }
 }
 
-fn summary(scenario: &Scenario, stepping: &Stepping, start: f64) -> Summary {
+fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
     let Stepping { simulation, watch, failure, .. } = stepping;
+    let start = stepping.energy_at_start();
     let n = simulation.n();
-    let particle_steps = n as f64 * simulation.steps() as f64;
+    let particle_steps = n as f64 * watch.steps(simulation) as f64;
     let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
     let dissipated = simulation.works().map(|works| 0.0 - works.dashpot.value());

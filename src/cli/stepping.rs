@@ -1,8 +1,12 @@
 //! A run on its way: steps, files that are due, the guard, the wall clock.
 
+use std::io::{self, Write};
+
 use super::Failure;
+use super::keeper::{Keeper, Origin};
 use super::watch::Watch;
-use crate::analysis::guard::Guard;
+use crate::analysis::guard::{EVERY, Guard, Memory};
+use crate::output::OutputError;
 use crate::output::failure::FailureReport;
 use crate::output::recorder::Recorder;
 use crate::scenario::Scenario;
@@ -10,44 +14,136 @@ use crate::simulation::Simulation;
 
 /// Everything that a run needs while it is under way.
 pub(super) struct Stepping<'a> {
-    scenario: &'a Scenario,
+    pub scenario: &'a Scenario,
     pub simulation: Simulation,
     pub watch: Watch,
     /// What went wrong, if something did.
     pub failure: Option<FailureReport>,
+    pub origin: Origin,
+    pub keeper: Keeper,
     recorder: Recorder,
     guard: Guard,
 }
 
 impl<'a> Stepping<'a> {
     /// A run of `scenario` about to begin, with its files created.
-    pub fn begin(scenario: &'a Scenario, simulation: Simulation, recorder: Recorder) -> Self {
+    pub fn begin(
+        scenario: &'a Scenario,
+        simulation: Simulation,
+        recorder: Recorder,
+        origin: Origin,
+    ) -> Self {
+        let guard = Guard::new(&simulation, side(scenario), scenario.is_soft());
+        Self::with(scenario, simulation, recorder, origin, guard, None)
+    }
+
+    /// A run about to go on from a checkpoint, with the `memory` of its guard. `last` is the step of the
+    /// latest checkpoint in its folder, if it is one of this run.
+    pub fn resume(
+        scenario: &'a Scenario,
+        simulation: Simulation,
+        recorder: Recorder,
+        origin: Origin,
+        memory: Memory,
+        last: Option<u64>,
+    ) -> Self {
+        let guard = Guard::continued(&simulation, side(scenario), scenario.is_soft(), memory);
+        Self::with(scenario, simulation, recorder, origin, guard, last)
+    }
+
+    fn with(
+        scenario: &'a Scenario,
+        simulation: Simulation,
+        recorder: Recorder,
+        origin: Origin,
+        guard: Guard,
+        last: Option<u64>,
+    ) -> Self {
         let output = &scenario.output;
         let watch = Watch::start(&simulation, scenario.steps(), output.slowdown, output.quiet);
-        let side = scenario.walls.then_some(scenario.side);
-        let guard = Guard::new(&simulation, side, scenario.is_soft());
-        Self { scenario, simulation, watch, failure: None, recorder, guard }
+        let keeper = Keeper::new(scenario, last);
+        Self { scenario, simulation, watch, failure: None, origin, keeper, recorder, guard }
+    }
+
+    /// Mechanical energy at the start of the run, J.
+    pub fn energy_at_start(&self) -> f64 {
+        self.guard.memory().start.total()
     }
 
     /// Steps to the end, or until `stop` says so or something goes wrong; every file then has the
-    /// last good state.
+    /// last good state, and there is a checkpoint if the run is to go on later.
     pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {
         let end = self.scenario.steps();
         while self.simulation.steps() < end && !stop() {
             let due = self.recorder.next_due().min(end);
-            self.step_until(self.watch.next_look(&self.simulation).min(due))?;
+            self.advance(self.watch.next_look(&self.simulation).min(due))?;
             if self.is_stopped() {
                 break;
             }
-            self.recorder.record_due(&self.simulation)?;
             if self.scenario.output.every.is_none() {
                 self.watch.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
             }
+            if self.keeper.is_due() && self.is_good() {
+                let kept = self.keep();
+                self.complain(kept);
+            }
             self.watch.keep_pace(&self.simulation, stop);
         }
+        // Before the files get their last state, which belongs to this end only.
+        let kept = self.keep_last();
         self.recorder.finish(&self.simulation)?;
         self.watch.finish();
+        if self.is_done() && !self.keeper.is_asked() {
+            self.keeper.remove_all()?;
+        }
+        kept
+    }
+
+    /// Whether the run has reached its end.
+    pub fn is_done(&self) -> bool {
+        self.simulation.steps() >= self.scenario.steps()
+    }
+
+    /// Steps up to `until` at most, and writes what is due there.
+    fn advance(&mut self, until: u64) -> Result<(), Failure> {
+        self.step_until(until)?;
+        if !self.is_stopped() {
+            self.recorder.record_due(&self.simulation)?;
+        }
         Ok(())
+    }
+
+    /// Whether the present state may be kept: nothing has gone wrong, not even for a moment.
+    fn is_good(&self) -> bool {
+        self.failure.is_none() && self.guard.finds_good(&self.simulation)
+    }
+
+    /// The checkpoint of an interrupted run, or of one that is done and shall be prolonged. Where the present
+    /// state is not a good one, a few more steps may lead to one.
+    fn keep_last(&mut self) -> Result<(), Failure> {
+        if self.failure.is_some() || (self.is_done() && !self.keeper.is_asked()) {
+            return Ok(());
+        }
+        let latest = self.simulation.steps() + 2 * EVERY;
+        while !self.is_good() && !self.is_done() && self.simulation.steps() < latest {
+            self.advance(self.simulation.steps() + 1)?;
+            if self.failure.is_some() {
+                return Ok(());
+            }
+        }
+        if self.is_good() { Ok(self.keep()?) } else { Ok(()) }
+    }
+
+    fn keep(&mut self) -> Result<(), OutputError> {
+        let Self { scenario, simulation, origin, keeper, recorder, guard, .. } = self;
+        keeper.keep(scenario, origin, simulation, guard, recorder)
+    }
+
+    /// A checkpoint that fails on the way is no reason to lose the run.
+    fn complain(&mut self, kept: Result<(), OutputError>) {
+        if let Some(said) = kept.err().and_then(|why| self.keeper.complaint(&why)) {
+            let _ = writeln!(io::stderr(), "warning: {said}"); // a closed stderr is no failure
+        }
     }
 
     /// Leaves `results` beside the scenario in the output folder.
@@ -96,4 +192,9 @@ impl<'a> Stepping<'a> {
         }
         Ok(())
     }
+}
+
+/// Side of the box, m, if it has walls.
+fn side(scenario: &Scenario) -> Option<f64> {
+    scenario.walls.then_some(scenario.side)
 }

@@ -24,6 +24,8 @@ pub(super) struct Watch {
     /// Wall time that the last refresh took, s.
     last_refresh: f64,
     stepping: Duration,
+    /// Step and simulated time (s) at the start of this session.
+    from: (u64, f64),
     /// Wall seconds for a simulated second.
     slowdown: Option<f64>,
     steps_per_look: u64,
@@ -39,12 +41,14 @@ impl Watch {
             steps_per_look = steps_per_look.min((per_look as u64).max(1));
         }
         let now = Instant::now();
-        let bar = progress_bar(steps, quiet);
+        let bar = progress_bar(steps, quiet).with_position(simulation.steps());
+        bar.reset_eta();
         Self {
             started: now,
             next_refresh: now,
             last_refresh: 0.0,
             stepping: Duration::ZERO,
+            from: (simulation.steps(), simulation.time()),
             slowdown,
             steps_per_look,
             bar,
@@ -88,7 +92,7 @@ impl Watch {
         let Some(slowdown) = self.slowdown else {
             return;
         };
-        let wanted = simulation.time() * slowdown;
+        let wanted = (simulation.time() - self.from.1) * slowdown;
         loop {
             let ahead = wanted - self.started.elapsed().as_secs_f64();
             if ahead <= 0.0 || interrupted() {
@@ -106,6 +110,11 @@ impl Watch {
     /// Wall time since the start, s.
     pub fn wall_time(&self) -> f64 {
         self.started.elapsed().as_secs_f64()
+    }
+
+    /// Steps since the start of this session.
+    pub fn steps(&self, simulation: &Simulation) -> u64 {
+        simulation.steps() - self.from.0
     }
 
     /// Wall time spent stepping, s.

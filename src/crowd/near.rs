@@ -11,7 +11,7 @@ use glam::DVec2;
 
 use super::BLOCK;
 use super::cells::Cells;
-use crate::discs::Memory;
+use crate::discs::Snapshot;
 use crate::force::HalfPlane;
 use crate::neighbours::largest_radius;
 use crate::particle::Particle;
@@ -72,10 +72,10 @@ impl Near {
         self.made += 1;
     }
 
-    /// A list for discs to which `memory` goes back. They lie about where they were listed, so the skin
+    /// A list for discs to which `snapshot` goes back. They lie about where they were listed, so the skin
     /// is twice as wide; the next list is made at the same step as the first time.
-    pub fn recall(&mut self, memory: &Memory, ids: &[u32], planes: &[HalfPlane]) {
-        let Memory { particles, listed_at, skin, limit_squared, .. } = memory;
+    pub fn restore(&mut self, snapshot: &Snapshot, ids: &[u32], planes: &[HalfPlane]) {
+        let Snapshot { particles, listed_at, skin, limit_squared, .. } = snapshot;
         self.skin = *skin;
         self.limit_squared = *limit_squared;
         self.listed_at.clone_from(listed_at);

@@ -1,33 +1,125 @@
-//! Checkpoints in the folder of a run: a fresh run must not destroy one it does not know.
+//! Checkpoints: all that a run needs to go on, bit for bit, as if it had never been interrupted.
 //!
-//! A checkpoint is a file `parsim2d*.ckpt` whose first line is `parsim2d checkpoint` and the number
-//! of its format. This version writes none, so every one it meets is of another version, and its
-//! run could still be continued by that version.
+//! `parsim2d.ckpt` in the folder of a run is the latest, `parsim2d.previous.ckpt` the one before it. A
+//! checkpoint holds the scenario, the state as named arrays of raw numbers, how far the files of the run
+//! had come, and what its guard and its ledger remember of the start. [`container`] is the format.
+//!
+//! Of the random numbers it holds the seed only: they place and throw the discs at the start, and none is
+//! drawn after that.
+
+pub mod container;
+mod read;
+mod write;
 
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, Read};
-use std::path::Path;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use self::container::{FORMAT, Flaw};
 use super::OutputError;
+use super::recorder::continued::Written;
+use crate::simulation::state::Array;
 
-/// The words before the format's number in the first line.
-const MAGIC: &str = "parsim2d checkpoint ";
+/// Name of the latest checkpoint.
+pub const FILE: &str = "parsim2d.ckpt";
 
-/// Refuses to run in a `folder` that holds a checkpoint of another version.
+/// Name of the one before it.
+pub const PREVIOUS: &str = "parsim2d.previous.ckpt";
+
+/// A checkpoint in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpoint {
+    /// The scenario, as a scenario file.
+    pub scenario: String,
+    /// Everything else that is not the state.
+    pub progress: Progress,
+    /// The state, as `State::arrays` gives it, and what else has to be kept as numbers.
+    pub arrays: Vec<(String, Array)>,
+}
+
+/// How far a run has come, and what it remembers of its start.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(non_snake_case)] // a key's name ends with its unit
+pub struct Progress {
+    /// Version of the program.
+    pub version: String,
+    /// Steps done.
+    pub step: u64,
+    /// Simulated time, s.
+    pub time_s: f64,
+    /// Fingerprint of the state, 16 hexadecimal digits.
+    pub state_hash: String,
+    /// The command of the run, word by word.
+    pub command: Vec<String>,
+    /// The guard's: energies at the start, J.
+    pub kinetic_at_start_J: f64,
+    /// Gravitational energy at the start, J.
+    pub gravitational_at_start_J: f64,
+    /// Elastic energy at the start, J.
+    pub elastic_at_start_J: f64,
+    /// What could move the discs at the start, J.
+    pub movable_at_start_J: f64,
+    /// The largest overlap at the start over the (smaller) radius.
+    pub overlap_at_start: f64,
+    /// The step of the guard's last look, if the energy had grown then.
+    pub grown_at: Option<u64>,
+    /// How far the files of the run had come.
+    pub written: Written,
+}
+
+/// A checkpoint that cannot be used.
+#[derive(Debug, Error)]
+pub enum CheckpointError {
+    /// The file cannot be read.
+    #[error("cannot read the checkpoint {}: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The file is not a good checkpoint.
+    #[error("cannot resume from {}: {flaw}", path.display())]
+    Flawed {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        flaw: Flaw,
+    },
+}
+
+/// Refuses to run in a `folder` that holds a checkpoint of another version, whose run could still be
+/// continued by that version.
 pub fn refuse_foreign(folder: &Path) -> Result<(), OutputError> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Ok(()); // no folder yet, no checkpoints
     };
-    let mut ours =
-        entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| is_ours(path));
-    match ours.next() {
-        None => Ok(()),
-        Some(path) => {
-            let format = format(&path).ok().flatten();
+    let ours = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| is_ours(path));
+    for path in ours {
+        let format = format(&path).ok().flatten();
+        if format != Some(FORMAT) {
             let format = format.map_or("unknown format".to_owned(), |k| format!("format {k}"));
-            Err(OutputError::ForeignCheckpoint { path, format })
+            return Err(OutputError::ForeignCheckpoint { path, format });
         }
     }
+    Ok(())
+}
+
+/// Removes both checkpoints from `folder`: they are of a run whose files are gone, or that is done.
+pub fn remove(folder: &Path) -> Result<(), OutputError> {
+    for path in [FILE, PREVIOUS].map(|name| folder.join(name)) {
+        match fs::remove_file(&path) {
+            Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                return Err(OutputError::Create { path, source });
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 fn is_ours(path: &Path) -> bool {
@@ -37,8 +129,7 @@ fn is_ours(path: &Path) -> bool {
 
 /// The format's number, if the file begins as a checkpoint does.
 fn format(path: &Path) -> io::Result<Option<u32>> {
-    let mut line = Vec::new();
-    BufReader::new(File::open(path)?).take(100).read_until(b'\n', &mut line)?;
-    let line = String::from_utf8_lossy(&line).into_owned();
-    Ok(line.strip_prefix(MAGIC).and_then(|rest| rest.split_whitespace().next()?.parse().ok()))
+    let mut begin = Vec::new();
+    File::open(path)?.take(100).read_to_end(&mut begin)?;
+    Ok(container::format(&begin).ok())
 }

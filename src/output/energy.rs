@@ -1,10 +1,11 @@
 //! `energy.csv`: the energy ledger, a line every so many steps.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
+use super::growing::{Extent, GrowingFile};
 use crate::analysis::energy::LedgerRow;
 
 /// The columns, in order.
@@ -20,13 +21,28 @@ pub fn default_every(steps: u64) -> u64 {
 /// back.
 pub struct EnergyFile {
     path: PathBuf,
-    out: csv::Writer<File>,
+    out: csv::Writer<GrowingFile>,
 }
 
 impl EnergyFile {
     /// A ledger file that goes to `file`, named `path` in messages.
     pub fn new(file: File, path: PathBuf) -> Self {
-        Self { path, out: csv::Writer::from_writer(file) }
+        Self { path, out: csv::Writer::from_writer(GrowingFile::new(file)) }
+    }
+
+    /// The same for a `file` that is cut back to `extent`, the end of one of its lines.
+    pub fn continued(file: File, path: PathBuf, extent: Extent) -> Result<Self, OutputError> {
+        let file = GrowingFile::cut(file, extent)
+            .map_err(|source| OutputError::Write { path: path.clone(), source })?;
+        let out = csv::WriterBuilder::new().has_headers(false).from_writer(file);
+        Ok(Self { path, out })
+    }
+
+    /// How far the file has come, once that is on the disk.
+    pub fn sync(&mut self) -> Result<Extent, OutputError> {
+        self.flush()?;
+        let file = self.out.get_ref();
+        file.sync().map(|()| file.extent()).map_err(|why| self.failed(why))
     }
 
     /// Appends `row`, after the header if it is the first.
@@ -43,10 +59,9 @@ impl EnergyFile {
     pub fn cut_back_to(&mut self, step: u64) -> Result<u64, OutputError> {
         self.flush()?;
         let (end, last) = end_of(&self.path, step).map_err(|why| self.failed(why))?;
-        let mut file = self.out.get_ref();
-        file.set_len(end)
-            .and_then(|()| file.seek(SeekFrom::Start(end)).map(|_| last))
-            .map_err(|why| self.failed(why))
+        let file = self.out.get_ref().handle().map_err(|why| self.failed(why))?;
+        *self = Self::continued(file, self.path.clone(), end)?;
+        Ok(last)
     }
 
     fn failed(&self, source: std::io::Error) -> OutputError {
@@ -55,8 +70,8 @@ impl EnergyFile {
 }
 
 /// Where the lines up to `step` end in the file at `path`, and the step of the last of them.
-fn end_of(path: &Path, step: u64) -> io::Result<(u64, u64)> {
-    let (mut end, mut last) = (0, 0);
+fn end_of(path: &Path, step: u64) -> io::Result<(Extent, u64)> {
+    let (mut bytes, mut sum, mut last) = (0, crc32fast::Hasher::new(), 0);
     for line in BufReader::new(File::open(path)?).split(b'\n') {
         let line = line?;
         let first = line.split(|&byte| byte == b',').next().unwrap_or_default();
@@ -66,9 +81,11 @@ fn end_of(path: &Path, step: u64) -> io::Result<(u64, u64)> {
             }
             last = of;
         }
-        end += line.len() as u64 + 1;
+        bytes += line.len() as u64 + 1;
+        sum.update(&line);
+        sum.update(b"\n");
     }
-    Ok((end, last))
+    Ok((Extent { bytes, crc32: sum.finalize() }, last))
 }
 
 /// Reads a ledger back.

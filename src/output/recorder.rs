@@ -1,10 +1,12 @@
 //! All files of a run: created together before the first step, each written when it is due.
 
+pub mod continued;
+
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use super::checkpoint::refuse_foreign;
+use super::checkpoint::{self, refuse_foreign};
 use super::energy::EnergyFile;
 use super::failure;
 use super::live::LiveFrame;
@@ -85,6 +87,7 @@ impl Recorder {
         trajectory.take_place()?;
         record.take_place()?;
         remove_if_there(&path(failure::FILE))?; // of a former run
+        checkpoint::remove(folder)?; // of a former run, whose files are gone
         match energy {
             Some(energy) => energy.take_place()?,
             None => remove_if_there(&path("energy.csv"))?, // of a former run

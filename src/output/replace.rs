@@ -73,6 +73,74 @@ pub fn replace(
     })
 }
 
+/// The same for a file that must outlive a power cut: on the disk before it takes its place, and its
+/// place too. The file it replaces stays there under the name `previous`, if there is one.
+pub fn replace_durably(
+    path: &Path,
+    previous: Option<&Path>,
+    write: impl FnOnce(&mut io::BufWriter<File>) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    let whole = || {
+        let mut out = io::BufWriter::new(File::create(temporary(path))?);
+        write(&mut out)?;
+        out.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
+        if let Some(previous) = previous {
+            keep_as(path, previous)?;
+        }
+        rename(path)?;
+        sync_folder(path)
+    };
+    whole().map_err(|source| {
+        let _ = fs::remove_file(temporary(path)); // half a file helps nobody
+        OutputError::Write { path: path.to_owned(), source }
+    })
+}
+
+/// Gives the file at `path`, if there is one, the name `previous` as well: at every moment there is a file
+/// at `path`. Where files cannot have two names it is renamed.
+fn keep_as(path: &Path, previous: &Path) -> io::Result<()> {
+    if !path.exists() {
+        return Ok(());
+    }
+    let second_name = temporary(previous);
+    let _ = fs::remove_file(&second_name); // of a process of the same number that was killed
+    match fs::hard_link(path, &second_name) {
+        Err(_) => fs::rename(path, previous),
+        Ok(()) => {
+            rename(previous)?;
+            // Where both were one file already, renaming does nothing.
+            let _ = fs::remove_file(&second_name);
+            Ok(())
+        }
+    }
+}
+
+/// Returns once the names in the folder of `path` are on the disk.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    // Windows opens no folders; its file systems keep names in a journal.
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+}
+
+/// Removes from `folder` the temporary files that runs leave for the files of these `names` when they are
+/// killed.
+pub fn remove_temporaries(folder: &Path, names: &[&str]) {
+    let is_left = |file: &str| {
+        let process =
+            |name: &&str| file.strip_prefix(*name)?.strip_prefix('.')?.strip_suffix(".tmp");
+        let is_number = |text: &str| text.parse::<u32>().is_ok();
+        names.iter().any(|name| process(name).is_some_and(is_number))
+    };
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        if is_left(&entry.file_name().to_string_lossy()) {
+            let _ = fs::remove_file(entry.path()); // a nuisance, no more
+        }
+    }
+}
+
 fn temporary(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     // Two runs in one folder must not write into one file, nor into somebody's own out.txt.tmp.

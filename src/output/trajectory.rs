@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use super::OutputError;
 use super::frames::{Columns, write_frame};
+use super::growing::{Extent, GrowingFile};
 use super::marks::Marks;
 use crate::simulation::Simulation;
 
@@ -31,7 +32,7 @@ pub fn default_every(n: usize, steps: u64) -> u64 {
 /// The frames of a run, appended one by one.
 pub struct Trajectory {
     path: PathBuf,
-    out: BufWriter<File>,
+    out: BufWriter<GrowingFile>,
     side: f64, // m
     frames: u64,
     marks: Marks,
@@ -40,13 +41,24 @@ pub struct Trajectory {
 impl Trajectory {
     /// A trajectory that goes to `file`, named `path` in messages; box of `side` (m).
     pub fn new(file: File, path: PathBuf, side: f64) -> Self {
-        Self {
-            path,
-            out: BufWriter::with_capacity(1 << 16, file),
-            side,
-            frames: 0,
-            marks: Marks::default(),
-        }
+        let out = BufWriter::with_capacity(1 << 16, GrowingFile::new(file));
+        Self { path, out, side, frames: 0, marks: Marks::default() }
+    }
+
+    /// The same for a `file` that is cut back to `extent`, where the frame of step `last` ends.
+    pub fn continued(
+        file: File,
+        path: PathBuf,
+        side: f64,
+        extent: Extent,
+        last: u64,
+    ) -> Result<Self, OutputError> {
+        let file = GrowingFile::cut(file, extent)
+            .map_err(|source| OutputError::Write { path: path.clone(), source })?;
+        let out = BufWriter::with_capacity(1 << 16, file);
+        let mut marks = Marks::default();
+        marks.add(last, extent);
+        Ok(Self { path, out, side, frames: 1, marks })
     }
 
     /// Appends the present state.
@@ -58,14 +70,22 @@ impl Trajectory {
             .write_all(gap.as_bytes())
             .and_then(|()| write_frame(&mut self.out, simulation, self.side, columns))
             .and_then(|()| self.out.flush())
-            .and_then(|()| self.marks.add(simulation.steps(), self.out.get_ref()))
+            .map(|()| self.marks.add(simulation.steps(), self.out.get_ref().extent()))
+            .map_err(|source| OutputError::Write { path: self.path.clone(), source })
+    }
+
+    /// How far the file has come, once that is on the disk.
+    pub fn sync(&self) -> Result<Extent, OutputError> {
+        let file = self.out.get_ref(); // every frame is flushed as it is written
+        file.sync()
+            .map(|()| file.extent())
             .map_err(|source| OutputError::Write { path: self.path.clone(), source })
     }
 
     /// Takes back the frames of steps after `step`; returns the step of the last frame left.
     pub fn cut_back_to(&mut self, step: u64) -> Result<u64, OutputError> {
         self.marks
-            .cut_back_to(step, self.out.get_ref())
+            .cut_back_to(step, self.out.get_mut())
             .map_err(|source| OutputError::Write { path: self.path.clone(), source })
     }
 }

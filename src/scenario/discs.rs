@@ -15,14 +15,18 @@ const MOST_DISCS: i64 = 100_000_000;
 
 impl Scenario {
     /// Takes over the discs that `settings` say, or `usual` many equal ones. A frame may bring
-    /// the side of its box along.
+    /// the side of its box along; one that is already there, `frame`, is not read again.
     pub(super) fn take_discs(
         &mut self,
         settings: &Settings,
         usual: usize,
+        frame: Option<Vec<Particle>>,
     ) -> Result<(), ScenarioError> {
         let (discs, groups) = (&settings.discs, &settings.populations);
-        self.discs = if let Some(said) = &settings.start {
+        self.discs = if let (Some(said), Some(discs)) = (&settings.start, frame) {
+            let has_velocities = settings.speed.is_none(); // else they are asked for
+            DiscSource::Frame { said: said.clone(), discs, has_velocities }
+        } else if let Some(said) = &settings.start {
             let (frame, side) = start::read(said, self, settings)?;
             if let (None, Some(side)) = (settings.side, side) {
                 self.side = positive("side_m of the frame", side, "--side 4cm")?;

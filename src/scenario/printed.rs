@@ -27,7 +27,14 @@ impl Scenario {
             }
             _ => self.to_toml(),
         };
-        let elsewhere = ["out_dir = ", "slowdown = ", "threads = ", "json = ", "quiet = "];
+        let elsewhere = [
+            "out_dir = ",
+            "slowdown = ",
+            "threads = ",
+            "checkpoint_every = ",
+            "json = ",
+            "quiet = ",
+        ];
         let is_kept = |line: &&str| !elsewhere.iter().any(|key| line.starts_with(key));
         // Keys of the top level come first; nothing of a disc begins with these.
         everything.lines().filter(is_kept).map(|line| format!("{line}\n")).collect()
@@ -108,6 +115,9 @@ impl Scenario {
         }
         if let Some(threads) = output.threads {
             writeln!(out, "threads = {threads}")?;
+        }
+        if let Some(every) = output.checkpoint_every {
+            writeln!(out, "checkpoint_every = {every:?} # s of wall time")?;
         }
         writeln!(out, "border = {}", output.border)?;
         writeln!(out, "json = {}", output.json)?;

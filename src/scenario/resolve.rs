@@ -7,6 +7,7 @@ use super::quantity::Quantity;
 use super::range::{finite, not_negative, positive, whole};
 use super::settings::{DtSetting, Settings};
 use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Scenario, StepChoice};
+use crate::particle::Particle;
 
 impl Scenario {
     /// Fills in what `settings` leave open from the preset and checks everything that can be
@@ -14,6 +15,15 @@ impl Scenario {
     pub fn resolve(
         settings: &Settings,
         draw_seed: impl FnOnce() -> u64,
+    ) -> Result<Self, ScenarioError> {
+        Self::resolve_with(settings, draw_seed, None)
+    }
+
+    /// The same; the discs of `--start`, if it was said, are `frame` and the file is not read.
+    pub(super) fn resolve_with(
+        settings: &Settings,
+        draw_seed: impl FnOnce() -> u64,
+        frame: Option<Vec<Particle>>,
     ) -> Result<Self, ScenarioError> {
         exclusive::check(settings)?;
         let preset = settings.preset.unwrap_or_default();
@@ -47,7 +57,7 @@ impl Scenario {
             discs: DiscSource::Equal(usual.n),
             output: output_choices(settings)?,
         };
-        scenario.take_discs(settings, usual.n)?;
+        scenario.take_discs(settings, usual.n, frame)?;
         scenario.check_step()?;
         Ok(scenario)
     }
@@ -148,12 +158,16 @@ fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
     let cores = "leave it out for all cores";
     let threads = settings.threads.map(|k| whole("threads", k, 1..=MOST_THREADS, cores));
     let slowdown = settings.slowdown.map(|x| positive("slowdown", x.si, "--slowdown 10"));
+    let checkpoint_every = settings
+        .checkpoint_every
+        .map(|x| positive("checkpoint_every", x.si, "--checkpoint-every 10min"));
     Ok(OutputChoices {
         folder: settings.out_dir.clone().unwrap_or_else(|| ".".into()),
         every: steps("every", settings.every, 1)?,
         energy_every: steps("energy_every", settings.energy_every, 0)?,
         slowdown: slowdown.transpose()?,
         threads: threads.transpose()?.map(|threads| threads as usize),
+        checkpoint_every: checkpoint_every.transpose()?,
         border: settings.border.unwrap_or(false),
         json: settings.json.unwrap_or(false),
         quiet: settings.quiet.unwrap_or(false),

@@ -150,6 +150,10 @@ settings! {
     #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Time")]
     #[arg(value_parser = whole_number)]
     threads: i64,
+    /// Write parsim2d.ckpt every so many seconds of wall time, and at the end: `parsim2d resume` goes on
+    /// from there [default: on Ctrl-C only]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Output")]
+    checkpoint_every: Quantity<Time>,
     /// Add the guide's fictitious border discs to out.txt
     #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
     #[arg(value_name = "BOOL", hide_possible_values = true, help_heading = "Output")]

@@ -1,0 +1,127 @@
+//! The checkpoints of a run: when one is due, and what goes into it.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use super::typed::quoted;
+use crate::analysis::guard::{Guard, Memory};
+use crate::output::OutputError;
+use crate::output::checkpoint::{self, Checkpoint, Progress};
+use crate::output::recorder::Recorder;
+use crate::scenario::Scenario;
+use crate::simulation::Simulation;
+
+/// What a run was begun with, as long as it goes on.
+#[derive(Clone, Debug)]
+pub(super) struct Origin {
+    /// The command, word by word.
+    pub command: Vec<String>,
+    /// The largest overlap at the start over the (smaller) radius.
+    pub overlap: f64,
+}
+
+/// Keeps the checkpoints of one run.
+pub(super) struct Keeper {
+    folder: PathBuf,
+    every: Option<Duration>,
+    last_at: Instant,
+    /// The step of the latest checkpoint, if it is one of this run and whole.
+    last: Option<u64>,
+    has_complained: bool,
+}
+
+impl Keeper {
+    /// For a run of `scenario`; `last` is the step of the latest checkpoint in its folder, if it is one of
+    /// this run.
+    pub fn new(scenario: &Scenario, last: Option<u64>) -> Self {
+        Self {
+            folder: scenario.output.folder.clone(),
+            every: scenario.output.checkpoint_every.map(Duration::from_secs_f64),
+            last_at: Instant::now(),
+            last,
+            has_complained: false,
+        }
+    }
+
+    /// Whether checkpoints were asked for, the last at the end of the run.
+    pub fn is_asked(&self) -> bool {
+        self.every.is_some()
+    }
+
+    /// Whether it is time for one.
+    pub fn is_due(&self) -> bool {
+        self.every.is_some_and(|every| self.last_at.elapsed() >= every)
+    }
+
+    /// Writes a checkpoint of the present state, which must be a good one.
+    pub fn keep(
+        &mut self,
+        scenario: &Scenario,
+        origin: &Origin,
+        simulation: &Simulation,
+        guard: &Guard,
+        recorder: &mut Recorder,
+    ) -> Result<(), OutputError> {
+        self.last_at = Instant::now(); // also if it fails: no sooner again
+        let progress = progress(origin, simulation, guard.memory(), recorder)?;
+        let mut arrays = scenario.arrays();
+        let state = simulation.state().arrays();
+        arrays.extend(state.into_iter().map(|(name, array)| (name.to_owned(), array)));
+        let checkpoint = Checkpoint { scenario: scenario.to_toml(), progress, arrays };
+        checkpoint.write(&self.folder, self.last.is_some())?;
+        self.last_at = Instant::now();
+        self.last = Some(simulation.steps());
+        Ok(())
+    }
+
+    /// What to say of a checkpoint that could not be written while the run goes on; once is enough.
+    pub fn complaint(&mut self, why: &OutputError) -> Option<String> {
+        let is_first = !std::mem::replace(&mut self.has_complained, true);
+        let last = match self.last {
+            Some(step) => format!("the last checkpoint, of step {step}, is whole"),
+            None => "there is no checkpoint yet".to_owned(),
+        };
+        is_first.then(|| format!("{why}\n  the run goes on; {last}"))
+    }
+
+    /// How to go on from the latest checkpoint, if there is one.
+    pub fn way_back(&self) -> Option<String> {
+        self.last.map(|step| format!("to go on from step {step}: {}", self.command()))
+    }
+
+    /// The command that goes on.
+    fn command(&self) -> String {
+        let path = self.folder.join(checkpoint::FILE);
+        let path = path.strip_prefix(".").unwrap_or(&path);
+        format!("parsim2d resume {}", quoted(&path.to_string_lossy()))
+    }
+
+    /// Removes the checkpoints of a run that is done.
+    pub fn remove_all(&mut self) -> Result<(), OutputError> {
+        self.last = None;
+        checkpoint::remove(&self.folder)
+    }
+}
+
+fn progress(
+    origin: &Origin,
+    simulation: &Simulation,
+    memory: Memory,
+    recorder: &mut Recorder,
+) -> Result<Progress, OutputError> {
+    let Memory { start, movable, grown_at } = memory;
+    Ok(Progress {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        step: simulation.steps(),
+        time_s: simulation.time(),
+        state_hash: format!("{:016x}", simulation.state_hash()),
+        command: origin.command.clone(),
+        kinetic_at_start_J: start.kinetic,
+        gravitational_at_start_J: start.gravitational,
+        elastic_at_start_J: start.elastic,
+        movable_at_start_J: movable,
+        overlap_at_start: origin.overlap,
+        grown_at,
+        written: recorder.written()?,
+    })
+}

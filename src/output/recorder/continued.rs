@@ -1,0 +1,182 @@
+//! The files of a run that goes on from a checkpoint: checked, cut back to its moment, and continued.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufReader, Read};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::{OutputPlan, Recorder, make_folder, remove_if_there};
+use crate::analysis::energy::EnergyLedger;
+use crate::output::energy::EnergyFile;
+use crate::output::growing::Extent;
+use crate::output::live::LiveFrame;
+use crate::output::replace::{NewFile, remove_temporaries};
+use crate::output::trajectory::Trajectory;
+use crate::output::{OutputError, checkpoint, failure, record};
+use crate::simulation::Simulation;
+
+const TRAJECTORY: &str = "trajectory.txt";
+const ENERGY: &str = "energy.csv";
+const LIVE: &str = "out.txt";
+
+/// Every file that a run may be writing when it is killed.
+const FILES: [&str; 7] =
+    [LIVE, TRAJECTORY, ENERGY, record::FILE, failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
+
+/// How far the files of a run had come.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(non_snake_case)] // a key's name ends with its unit
+pub struct Written {
+    /// Steps between frames.
+    pub frame_every: u64,
+    /// Step of the last frame.
+    pub frame_at: u64,
+    /// Steps between lines of the ledger; 0 for none.
+    pub energy_every: u64,
+    /// Step of the last line.
+    pub energy_at: u64,
+    /// Kinetic energy when the ledger was opened, J.
+    pub ledger_kinetic_J: f64,
+    /// `trajectory.txt`.
+    pub trajectory: Extent,
+    /// `energy.csv`, if there is one.
+    pub energy: Option<Extent>,
+}
+
+impl Recorder {
+    /// How far the files have come, once that is on the disk.
+    pub fn written(&mut self) -> Result<Written, OutputError> {
+        let (ledger_kinetic, energy) = match &mut self.energy {
+            Some((ledger, file)) => (ledger.kinetic_at_start(), Some(file.sync()?)),
+            None => (0.0, None),
+        };
+        Ok(Written {
+            frame_every: self.plan.frame_every,
+            frame_at: self.frame_at,
+            energy_every: self.plan.energy_every,
+            energy_at: self.energy_at,
+            ledger_kinetic_J: ledger_kinetic,
+            trajectory: self.trajectory.sync()?,
+            energy,
+        })
+    }
+
+    /// Takes up the files of a run where they were when its checkpoint was `written`. They lie in the folder
+    /// `from`; if `plan` names another, they are copied there as far as they are good, and stay as they are.
+    ///
+    /// Fails, and changes nothing, if one of them is not what that run wrote.
+    pub fn resume(
+        plan: &OutputPlan,
+        simulation: &Simulation,
+        from: &Path,
+        written: &Written,
+    ) -> Result<Self, OutputError> {
+        let extents = [(TRAJECTORY, Some(written.trajectory)), (ENERGY, written.energy)];
+        let extents = extents.into_iter().filter_map(|(name, extent)| Some((name, extent?)));
+        for (name, extent) in extents.clone() {
+            check(&from.join(name), extent)?;
+        }
+        let folder = &plan.folder;
+        if !is_same_folder(from, folder) {
+            copy(from, folder, extents)?;
+        }
+        // The run was killed, and is the only one here: its files are.
+        remove_temporaries(folder, &FILES);
+        record::write(folder, &plan.record, &[])?;
+        remove_if_there(&folder.join(failure::FILE))?; // of what came after the checkpoint
+        let trajectory = folder.join(TRAJECTORY);
+        let frames = Trajectory::continued(
+            open(&trajectory)?,
+            trajectory,
+            plan.side,
+            written.trajectory,
+            written.frame_at,
+        )?;
+        let energy = ledger(folder, written)?;
+        let live = LiveFrame { path: folder.join(LIVE), side: plan.side, border: plan.border };
+        live.refresh(simulation)?;
+        Ok(Self {
+            plan: plan.clone(),
+            live,
+            trajectory: frames,
+            energy,
+            frame_at: written.frame_at,
+            energy_at: written.energy_at,
+        })
+    }
+}
+
+/// The energy ledger and its file, if the run keeps one.
+fn ledger(
+    folder: &Path,
+    written: &Written,
+) -> Result<Option<(EnergyLedger, EnergyFile)>, OutputError> {
+    let path = folder.join(ENERGY);
+    let Some(extent) = written.energy else {
+        remove_if_there(&path)?; // of a former run
+        return Ok(None);
+    };
+    let file = EnergyFile::continued(open(&path)?, path, extent)?;
+    Ok(Some((EnergyLedger::continued(written.ledger_kinetic_J), file)))
+}
+
+/// The file at `path` must begin with `extent`.
+fn check(path: &Path, extent: Extent) -> Result<(), OutputError> {
+    let refuse = |why: String| Err(OutputError::NotOfThatRun { path: path.to_owned(), why });
+    let file = match File::open(path) {
+        Ok(file) => file,
+        Err(why) if why.kind() == io::ErrorKind::NotFound => {
+            return refuse("it is not there".to_owned());
+        }
+        Err(why) => return refuse(why.to_string()),
+    };
+    let bytes = extent.bytes;
+    match extent.is_begin_of(BufReader::new(file)) {
+        Ok(Some(true)) => Ok(()),
+        Ok(Some(false)) => refuse(format!("its first {bytes} bytes are not those of that run")),
+        Ok(None) => refuse(format!("it is shorter than the {bytes} bytes it had then")),
+        Err(why) => refuse(why.to_string()),
+    }
+}
+
+fn is_same_folder(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
+
+/// Copies the files, as far as they are good, into another folder, whose own run they replace.
+fn copy(
+    from: &Path,
+    folder: &Path,
+    files: impl Iterator<Item = (&'static str, Extent)>,
+) -> Result<(), OutputError> {
+    super::refuse_foreign(folder)?;
+    if record::is_foreign(folder) {
+        return Err(OutputError::ForeignRecord { path: folder.join(record::FILE) });
+    }
+    make_folder(folder)?;
+    let mut copies = Vec::new();
+    for (name, extent) in files {
+        let (from, to) = (from.join(name), folder.join(name));
+        let copy = NewFile::create(&to)?;
+        let mut out = copy.writer()?;
+        File::open(&from)
+            .and_then(|file| io::copy(&mut file.take(extent.bytes), &mut out))
+            .map_err(|source| OutputError::Write { path: to, source })?;
+        copies.push(copy);
+    }
+    copies.into_iter().try_for_each(NewFile::take_place)?;
+    checkpoint::remove(folder)
+}
+
+fn open(path: &PathBuf) -> Result<File, OutputError> {
+    OpenOptions::new()
+        .read(true)
+        .write(true)
+        .open(path)
+        .map_err(|source| OutputError::Create { path: path.clone(), source })
+}

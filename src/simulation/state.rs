@@ -1,0 +1,180 @@
+//! A state as named arrays, to be written down and read back with every bit.
+
+use glam::DVec2;
+
+use super::State;
+use crate::discs::Snapshot;
+use crate::force::{Share, Tally};
+use crate::particle::Particle;
+use crate::work::{Sum, Works};
+
+/// Values of one kind, in order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Array {
+    /// Numbers with a unit, SI.
+    Numbers(Vec<f64>),
+    /// Counts: steps, ids.
+    Counts(Vec<u64>),
+}
+
+/// Numbers of a disc: x y vx vy fx fy r m.
+const PER_DISC: usize = 8;
+/// Numbers of a disc's share of contact forces: spring x y, dashpot x y.
+const PER_SHARE: usize = 4;
+
+impl State {
+    /// The discs, in id order.
+    pub fn particles(&self) -> Vec<Particle> {
+        let Snapshot { particles, ids, .. } = &self.discs;
+        let mut ordered = particles.clone();
+        ids.iter().zip(particles).for_each(|(&id, disc)| ordered[id as usize] = *disc);
+        ordered
+    }
+
+    /// Whether it is the state of a crowd, which has an order of its own, and works booked in it.
+    pub fn is_of_crowd(&self) -> bool {
+        !self.discs.ids.is_empty()
+    }
+
+    /// Everything in the state, by name. Whoever stores these need not know what they are.
+    pub fn arrays(&self) -> Vec<(&'static str, Array)> {
+        let of_disc = |p: &Particle| {
+            let (x, v, f) = (p.position, p.velocity, p.force);
+            [x.x, x.y, v.x, v.y, f.x, f.y, p.radius, p.mass]
+        };
+        let Snapshot { particles, ids, tally, works, stored_energy, .. } = &self.discs;
+        let Snapshot { springs, listed_at, skin, limit_squared, .. } = &self.discs;
+        let Tally { largest_pair_overlap, largest_sinking, largest_wall_overlap, shares } = tally;
+        let Works { gravity, spring, dashpot, external } = works;
+        let sums = [gravity, spring, dashpot, external].map(|sum| [sum.value, sum.carry]);
+        let overlaps = vec![*largest_pair_overlap, *largest_sinking, *largest_wall_overlap];
+        let mut arrays = vec![
+            ("steps", Array::Counts(vec![self.steps])),
+            ("overlaps", Array::Numbers(overlaps)),
+            ("works", Array::Numbers(sums.concat())),
+            ("stored_energy", Array::Numbers(vec![*stored_energy])),
+            ("particles", Array::Numbers(particles.iter().flat_map(of_disc).collect())),
+        ];
+        if let Some(shares) = shares {
+            let of_share = |s: &Share| [s.spring.to_array(), s.dashpot.to_array()].concat();
+            arrays.push(("shares", Array::Numbers(shares.iter().flat_map(of_share).collect())));
+        }
+        if self.is_of_crowd() {
+            let springs = springs.iter().flat_map(|spring| spring.to_array()).collect();
+            let listed_at = listed_at.as_flattened().iter().map(|x| f64::from(*x)).collect();
+            arrays.push(("ids", Array::Counts(ids.iter().map(|id| u64::from(*id)).collect())));
+            arrays.push(("springs", Array::Numbers(springs)));
+            arrays.push(("listed_at", Array::Numbers(listed_at)));
+            arrays.push(("list", Array::Numbers(vec![*skin, *limit_squared])));
+        }
+        arrays
+    }
+
+    /// The state that [`arrays`](Self::arrays) came from. Names that belong to no state are left alone.
+    ///
+    /// Fails, with the array's name, where one is missing or does not fit the others.
+    pub fn from_arrays(arrays: &[(String, Array)]) -> Result<Self, String> {
+        let steps = match find(arrays, "steps") {
+            Some(Array::Counts(steps)) if steps.len() == 1 => steps[0],
+            _ => return Err("array steps: one count is wanted".to_owned()),
+        };
+        let overlaps = numbers(arrays, "overlaps", 3)?;
+        let sums: Vec<Sum> = numbers(arrays, "works", 8)?
+            .chunks_exact(2)
+            .map(|pair| Sum { value: pair[0], carry: pair[1] })
+            .collect();
+        let stored_energy = numbers(arrays, "stored_energy", 1)?[0];
+        let particles = particles(arrays)?;
+        let shares = match find(arrays, "shares") {
+            None => None,
+            Some(_) => Some(numbers(arrays, "shares", PER_SHARE * particles.len())?),
+        };
+        let of_share =
+            |s: &[f64]| Share { spring: DVec2::new(s[0], s[1]), dashpot: DVec2::new(s[2], s[3]) };
+        let tally = Tally {
+            largest_pair_overlap: overlaps[0],
+            largest_sinking: overlaps[1],
+            largest_wall_overlap: overlaps[2],
+            shares: shares.map(|shares| shares.chunks_exact(PER_SHARE).map(of_share).collect()),
+        };
+        let works =
+            Works { gravity: sums[0], spring: sums[1], dashpot: sums[2], external: sums[3] };
+        let plain = Snapshot { particles, tally, works, stored_energy, ..Snapshot::default() };
+        Ok(Self { discs: with_crowd(plain, arrays)?, steps })
+    }
+}
+
+/// `plain` with what a crowd remembers besides, if it is the state of one.
+fn with_crowd(plain: Snapshot, arrays: &[(String, Array)]) -> Result<Snapshot, String> {
+    let n = plain.particles.len();
+    let ids = match find(arrays, "ids") {
+        None => return Ok(plain),
+        Some(Array::Counts(ids)) if is_permutation(ids, n) => ids,
+        _ => return Err(format!("array ids: the numbers from 0 to {} are wanted", n - 1)),
+    };
+    let springs = match find(arrays, "springs") {
+        Some(Array::Numbers(none)) if none.is_empty() => none,
+        _ => numbers(arrays, "springs", 2 * n)?,
+    };
+    let listed_at = numbers(arrays, "listed_at", 2 * n)?;
+    let list = numbers(arrays, "list", 2)?;
+    Ok(Snapshot {
+        ids: ids.iter().map(|id| *id as u32).collect(),
+        springs: springs.chunks_exact(2).map(|s| DVec2::new(s[0], s[1])).collect(),
+        listed_at: listed_at.chunks_exact(2).map(|x| [x[0] as f32, x[1] as f32]).collect(),
+        skin: list[0],
+        limit_squared: list[1],
+        ..plain
+    })
+}
+
+/// Whether `ids` has every number below `n` once.
+fn is_permutation(ids: &[u64], n: usize) -> bool {
+    let mut is_there = vec![false; n];
+    let mut mark = |id: &u64| match is_there.get_mut(*id as usize) {
+        Some(there) => !std::mem::replace(there, true),
+        None => false,
+    };
+    ids.len() == n && ids.iter().all(&mut mark)
+}
+
+fn particles(arrays: &[(String, Array)]) -> Result<Vec<Particle>, String> {
+    let Some(Array::Numbers(numbers)) = find(arrays, "particles") else {
+        return Err("array particles: numbers are wanted".to_owned());
+    };
+    if numbers.is_empty() || numbers.len() % PER_DISC != 0 {
+        let has = numbers.len();
+        return Err(format!("array particles: {has} numbers; {PER_DISC} a disc are wanted"));
+    }
+    let disc = |p: &[f64]| {
+        let mut disc = Particle::at_rest(DVec2::new(p[0], p[1]), p[6], p[7]);
+        disc.velocity = DVec2::new(p[2], p[3]);
+        disc.force = DVec2::new(p[4], p[5]);
+        disc
+    };
+    let particles: Vec<Particle> = numbers.chunks_exact(PER_DISC).map(disc).collect();
+    let is_sound = |p: &Particle| [p.radius, p.mass].iter().all(|x| *x > 0.0 && x.is_finite());
+    match particles.iter().position(|p| !is_sound(p)) {
+        Some(id) => Err(format!("array particles: radius or mass of disc {id} is not above 0")),
+        None => Ok(particles),
+    }
+}
+
+fn find<'a>(arrays: &'a [(String, Array)], name: &str) -> Option<&'a Array> {
+    arrays.iter().find(|(of, _)| of == name).map(|(_, array)| array)
+}
+
+/// The numbers of the array `name`, which must be so `many`.
+fn numbers<'a>(
+    arrays: &'a [(String, Array)],
+    name: &str,
+    many: usize,
+) -> Result<&'a [f64], String> {
+    match find(arrays, name) {
+        Some(Array::Numbers(numbers)) if numbers.len() == many => Ok(numbers),
+        Some(Array::Numbers(numbers)) => {
+            Err(format!("array {name}: {} numbers where {many} are wanted", numbers.len()))
+        }
+        _ => Err(format!("array {name}: {many} numbers are wanted, there are none")),
+    }
+}
