@@ -7,7 +7,7 @@ $(EXEC): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	$(CARGO) build --release
 	cp target/release/parsim2d $(EXEC)
 
-.PHONY: run live plot test check bench clean
+.PHONY: run live plot test check kill-test corruption-test disk-full-test bench clean
 run: $(EXEC)            # simulate; writes out.txt, trajectory.txt, energy.csv
 	./$(EXEC) $(ARGS)
 
@@ -25,9 +25,18 @@ test:                   # all tests
 check:                  # what CI checks
 	bash .ci/run
 
+kill-test:              # 200 kills with SIGKILL at random moments; each run must end with the same bytes
+	PARSIM2D_KILLS=200 $(CARGO) test --test restart killed -- --nocapture
+
+corruption-test:        # 10,000 damaged checkpoints, none may be accepted
+	PARSIM2D_CORRUPTIONS=10000 $(CARGO) test --test checkpoint_file -- --nocapture
+
+disk-full-test: $(EXEC) # a tmpfs that fills up during output and during a checkpoint; wants root
+	sh tests/disk_full.sh $(CURDIR)/$(EXEC)
+
 bench: $(EXEC)          # how fast is this machine? writes bench/<machine>/<date>.csv
 	sh bench/run.sh ./$(EXEC)
 
 clean:                  # what runs, plots and builds wrote
-	rm -f $(EXEC) out.txt trajectory.txt energy.csv last-run.toml failure.json *.tmp replay.gif energy.png velocity.png
+	rm -f $(EXEC) out.txt trajectory.txt energy.csv last-run.toml failure.json *.tmp parsim2d.ckpt parsim2d.previous.ckpt replay.gif energy.png velocity.png
 	$(CARGO) clean
