@@ -238,6 +238,19 @@ fn no_corruption_is_accepted() {
 }
 
 #[test]
+fn a_damaged_section_is_named() {
+    let whole = sealed(&checkpoint().sections());
+    for name in ["scenario", "progress", "particles", "shares"] {
+        let line = format!("\nsection {name} ");
+        let at = whole.windows(line.len()).position(|bytes| bytes == line.as_bytes()).unwrap();
+        let mut bytes = whole.clone();
+        bytes[at + 100] ^= 4; // the line of a section is shorter
+        let flaw = Checkpoint::from_bytes(&bytes).unwrap_err().to_string();
+        assert!(flaw.contains(&format!("checksum of section {name} does not")), "{name}: {flaw}");
+    }
+}
+
+#[test]
 fn nothing_under_a_good_checksum_makes_a_reader_panic() {
     // Somebody may build a checkpoint by hand: what is inside is not believed either.
     let whole = checkpoint();

@@ -3,72 +3,17 @@
 //! `PARSIM2D_KILLS=200 cargo test --test restart killed` kills as often as that; `make kill-test` does.
 #![cfg(unix)] // signals
 
-use std::collections::BTreeMap;
+#[path = "support/runs.rs"]
+mod runs;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use parsim2d::output::checkpoint::{Checkpoint, FILE, PREVIOUS};
-use serde_json::Value;
+use runs::{assert_same, files, outcome, parsim2d, reference, summary, text, with_two_checkpoints};
 use tempfile::TempDir;
-
-fn parsim2d(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_parsim2d"));
-    command.current_dir(folder).args(arguments.split_whitespace());
-    command
-}
-
-fn outcome(folder: &Path, arguments: &str) -> Output {
-    parsim2d(folder, arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-
-/// Every file of a folder but checkpoints.
-fn files(folder: &Path) -> BTreeMap<String, String> {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    entries
-        .filter(|path| path.extension().is_none_or(|extension| extension != "ckpt"))
-        .map(|path| {
-            let name = path.file_name().unwrap().to_string_lossy().into_owned();
-            (name, fs::read_to_string(path).unwrap())
-        })
-        .collect()
-}
-
-/// The same bytes in every file, and the same files; says where they differ and not all they hold.
-fn assert_same(folder: &Path, reference: &Path, what: &str) {
-    let (these, those) = (files(folder), files(reference));
-    let names = |files: &BTreeMap<String, String>| files.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(&these), names(&those), "{what}");
-    for (name, text) in &those {
-        let pairs = text.lines().zip(these[name].lines()).enumerate();
-        if let Some((line, (this, that))) = pairs.into_iter().find(|(_, (a, b))| a != b) {
-            panic!("{what}: {name}, line {}: {that:?}, not {this:?}", line + 1);
-        }
-        assert_eq!(text.len(), these[name].len(), "{what}: {name} is longer or shorter");
-    }
-}
-
-/// A finished run in a folder of its own, with its summary.
-fn reference(arguments: &str) -> (TempDir, Value) {
-    let folder = tempfile::tempdir().unwrap();
-    let output = outcome(folder.path(), arguments);
-    (folder, summary(&output))
-}
-
-/// The summary without what depends on the machine.
-fn summary(output: &Output) -> Value {
-    let mut summary: Value = serde_json::from_slice(&output.stdout)
-        .unwrap_or_else(|_| panic!("no summary: {}{}", text(&output.stdout), text(&output.stderr)));
-    for key in ["wall_s", "particle_steps_per_s"] {
-        summary.as_object_mut().unwrap().remove(key).unwrap();
-    }
-    summary
-}
 
 fn wait_for(path: &Path) {
     let begun = Instant::now();
@@ -229,9 +174,11 @@ fn a_run_is_prolonged_to_the_bytes_of_the_longer_run() {
     let message = text(&output.stderr);
     assert!(message.contains("--time = 0.03 s is before") && message.contains("way out"));
     assert_same(folder.path(), whole.path(), "after a refusal");
-    let output = outcome(folder.path(), "resume");
-    assert!(output.status.success() && text(&output.stderr).contains("nothing is left to do"));
-    assert_same(folder.path(), whole.path(), "nothing left to do");
+    for again in ["resume", "resume --time 40ms"] {
+        let output = outcome(folder.path(), again);
+        assert!(output.status.success() && text(&output.stderr).contains("nothing is left to do"));
+        assert_same(folder.path(), whole.path(), again);
+    }
 }
 
 #[test]
@@ -248,8 +195,9 @@ fn checkpoints_change_nothing_and_go_with_the_next_run() {
     // Refused before it began: they stay. Begun: they go.
     assert_eq!(outcome(folder.path(), "--nt 0").status.code(), Some(2));
     assert!(folder.path().join(FILE).exists());
-    fs::write(folder.path().join("parsim2d.mine.txt"), "mine").unwrap();
-    assert!(outcome(folder.path(), "-n 2 --time 1ms -q").status.success());
+    // This one goes wrong: it does not tidy up at its end.
+    let wrong = "-n 20 --seed 1 --integrator explicit-euler --time 1 --speed 0.5 -q";
+    assert_eq!(outcome(folder.path(), wrong).status.code(), Some(1));
     assert!(!folder.path().join(FILE).exists() && !folder.path().join(PREVIOUS).exists());
 }
 
@@ -295,131 +243,18 @@ fn a_run_that_goes_wrong_after_a_restart_stops_at_the_same_step_with_the_same_fi
     }
 }
 
-/// A folder with a finished run of two checkpoints.
-fn with_two_checkpoints() -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    let case = "-n 100 --radius 5e-4 --seed 2 --time 0.1 -q --checkpoint-every 1ms";
-    assert!(outcome(folder.path(), case).status.success());
-    folder
-}
-
 #[test]
-fn files_that_are_not_those_of_the_run_are_refused_by_name() {
-    type Harm = fn(&Path);
-    let harms: [(Harm, &str, &str); 4] = [
-        (
-            |folder| fs::remove_file(folder.join("trajectory.txt")).unwrap(),
-            "trajectory.txt",
-            "not there",
-        ),
-        (|folder| fs::remove_file(folder.join("energy.csv")).unwrap(), "energy.csv", "not there"),
-        (|folder| fs::write(folder.join("energy.csv"), "step").unwrap(), "energy.csv", "shorter"),
-        (
-            |folder| {
-                let path = folder.join("trajectory.txt");
-                let text = fs::read_to_string(&path).unwrap();
-                fs::write(path, text.replacen('1', "2", 1)).unwrap();
-            },
-            "trajectory.txt",
-            "not those of that run",
-        ),
-    ];
-    for (harm, name, why) in harms {
-        let folder = with_two_checkpoints();
-        harm(folder.path());
-        let before = files(folder.path());
-        let output = outcome(folder.path(), "resume --time 0.2");
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        for part in [name, why, "way out"] {
-            assert!(message.contains(part), "{part:?} is not in\n{message}");
-        }
-        assert_eq!(files(folder.path()), before, "nothing was changed");
-    }
-}
-
-#[test]
-fn a_damaged_checkpoint_is_refused_and_the_previous_one_offered_and_kept() {
+fn a_run_may_go_on_to_an_earlier_end_than_it_once_had() {
     let folder = with_two_checkpoints();
-    let whole = files(folder.path());
-    let latest = folder.path().join(FILE);
-    let mut bytes = fs::read(&latest).unwrap();
-    let middle = bytes.len() / 2;
-    bytes[middle] ^= 1;
-    fs::write(&latest, bytes).unwrap();
-    let output = outcome(folder.path(), "resume");
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains("it is damaged"), "{message}");
-    assert!(
-        message.contains("parsim2d resume ./parsim2d.previous.ckpt")
-            || message.contains("parsim2d resume parsim2d.previous.ckpt"),
-        "{message}"
+    let Checkpoint { progress, .. } = Checkpoint::read(&folder.path().join(PREVIOUS)).unwrap();
+    let time = 0.5 * (progress.time_s + 0.1);
+    let (every, energy_every) = (progress.written.frame_every, progress.written.energy_every);
+    let whole = tempfile::tempdir().unwrap();
+    let case = format!(
+        "-n 100 --radius 5e-4 --seed 2 -q --every {every} --energy-every {energy_every} --time {time:?}"
     );
-    let previous = fs::read(folder.path().join(PREVIOUS)).unwrap();
-    let output = outcome(folder.path(), "resume parsim2d.previous.ckpt --checkpoint-every 1min");
+    assert!(outcome(whole.path(), &case).status.success());
+    let output = outcome(folder.path(), &format!("resume parsim2d.previous.ckpt --time {time:?}"));
     assert!(output.status.success(), "{}", text(&output.stderr));
-    assert_eq!(files(folder.path()), whole);
-    // The damaged one was replaced, and did not become the previous one.
-    assert!(Checkpoint::read(&latest).is_ok());
-    assert_eq!(fs::read(folder.path().join(PREVIOUS)).unwrap(), previous);
-    for (content, why) in [
-        ("parsim2d checkpoint 9\nmore", "format 9"),
-        ("x y r\n", "no checkpoint"),
-        ("", "no checkpoint"),
-    ] {
-        fs::write(&latest, content).unwrap();
-        let output = outcome(folder.path(), "resume");
-        assert_eq!(output.status.code(), Some(2));
-        assert!(text(&output.stderr).contains(why), "{}", text(&output.stderr));
-    }
-    let output = outcome(folder.path(), "resume nowhere.ckpt");
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("nowhere.ckpt"));
-}
-
-/// Runs where no file may grow beyond `blocks` of 1 kB: the write fails as on a full disk, for the signal
-/// that would kill the writer is ignored.
-fn with_small_files(folder: &Path, blocks: u32, arguments: &str) -> Output {
-    let program = env!("CARGO_BIN_EXE_parsim2d");
-    let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec '{program}' {arguments}");
-    Command::new("bash").args(["-c", &script]).current_dir(folder).output().unwrap()
-}
-
-#[test]
-fn a_disk_that_fills_up_leaves_the_last_checkpoint_whole() {
-    let case = "-n 100 --radius 5e-4 --seed 2 --time 0.1 --every 20 --json";
-    let (whole, expected) = reference(case);
-    let folder = tempfile::tempdir().unwrap();
-    // A checkpoint of 100 discs has 12 kB; the trajectory passes 1 MB half-way.
-    let output = with_small_files(folder.path(), 1000, &format!("{case} --checkpoint-every 1ms"));
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{message}");
-    for part in ["trajectory.txt failed", "once there is room", "parsim2d resume parsim2d.ckpt"] {
-        assert!(message.contains(part), "{part:?} is not in\n{message}");
-    }
-    assert!(Checkpoint::read(&folder.path().join(FILE)).unwrap().progress.step > 0);
-    assert_eq!(summary(&outcome(folder.path(), "resume")), expected);
-    assert_same(folder.path(), whole.path(), "after a full disk");
-}
-
-#[test]
-fn a_checkpoint_that_does_not_fit_leaves_the_last_one_as_it_was() {
-    // 2000 discs: 100 kB a frame, 200 kB a checkpoint.
-    let case = "-n 2000 --radius 2e-4 --seed 2 --every 100000 --time 2ms -q";
-    let folder = tempfile::tempdir().unwrap();
-    let run = format!("{case} --checkpoint-every 1min");
-    assert!(outcome(folder.path(), &run).status.success());
-    let before = fs::read(folder.path().join(FILE)).unwrap();
-    assert!(
-        before.len() > 180_000
-            && fs::metadata(folder.path().join("out.txt")).unwrap().len() < 180_000
-    );
-    let output = with_small_files(folder.path(), 180, "resume --time 3ms --checkpoint-every 1ms");
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.contains("the run goes on; the last checkpoint, of step "), "{message}");
-    assert!(message.contains("parsim2d.ckpt failed"), "{message}");
-    assert_eq!(fs::read(folder.path().join(FILE)).unwrap(), before);
-    assert!(files(folder.path()).keys().all(|name| !name.ends_with(".tmp")));
+    assert_same(folder.path(), whole.path(), "what was written past the new end is gone");
 }

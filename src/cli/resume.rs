@@ -54,10 +54,10 @@ pub(super) struct ResumeArguments {
     /// Threads that share the steps; the results are the same to the bit [default: as the run did]
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     threads: Option<i64>,
-    /// Summary as one JSON object on stdout
+    /// Summary as one JSON object on stdout [default: as the run did]
     #[arg(long)]
     json: bool,
-    /// No progress bar, no remarks, no text summary
+    /// No progress bar, no remarks, no text summary [default: as the run did]
     #[arg(short, long)]
     quiet: bool,
 }
@@ -98,7 +98,7 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let checkpoint = Checkpoint::read(&file).map_err(|why| unreadable(&file, &why))?;
     let Checkpoint { scenario: text, progress, arrays } = &checkpoint;
     let changes = arguments.changes(from);
-    let scenario = Scenario::continued(text, arrays, &progress.written, changes)?;
+    let (scenario, has_new_end) = Scenario::continued(text, arrays, &progress.written, changes)?;
     let simulation = simulation(&scenario, &checkpoint)
         .map_err(|why| refusal(&file, format!("cannot resume from {}: {why}", file.display())))?;
     check_end(&scenario, progress)?;
@@ -108,9 +108,9 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
         .map_err(|why| other_or(&file, why))?;
     say_where(&scenario, progress, &file);
     let origin = Origin {
-        command: match arguments.time {
-            Some(time) => with_new_end(&progress.command, time.si, &progress.written),
-            None => progress.command.clone(),
+        command: match has_new_end {
+            true => with_new_end(&progress.command, scenario.time, &progress.written),
+            false => progress.command.clone(),
         },
         overlap: progress.overlap_at_start,
     };
@@ -141,7 +141,8 @@ fn simulation(scenario: &Scenario, checkpoint: &Checkpoint) -> Result<Simulation
     if simulation.steps() != progress.step || hash != progress.state_hash || !is_that_time {
         let (step, then) = (simulation.steps(), &progress.state_hash);
         return Err(format!(
-            "its state has step {step} and fingerprint {hash} at t = {:?} s, it says step {}, {then}, t = {:?} s",
+            "its state has step {step} and fingerprint {hash} at t = {:?} s, it says step {}, {then}, \
+             t = {:?} s",
             simulation.time(),
             progress.step,
             progress.time_s

@@ -29,14 +29,14 @@ impl Scenario {
         vec![(FRAME.to_owned(), Array::Numbers(numbers))]
     }
 
-    /// The scenario of a checkpoint, from its `text` and `arrays`, with the `changes` said now. A new end
-    /// leaves the intervals of the files as they were `written`, default or not.
+    /// The scenario of a checkpoint, from its `text` and `arrays`, with the `changes` said now; and whether they
+    /// give it a new end. That leaves the intervals of the files as they were `written`, default or not.
     pub fn continued(
         text: &str,
         arrays: &[(String, Array)],
         written: &Written,
         changes: Settings,
-    ) -> Result<Self, ScenarioError> {
+    ) -> Result<(Self, bool), ScenarioError> {
         let settings = file::parse(text, Path::new("the scenario of the checkpoint"))?;
         let has_new_end =
             changes.time.is_some_and(|new| Some(new.si) != settings.time.map(|t| t.si));
@@ -50,7 +50,7 @@ impl Scenario {
             Array::Numbers(numbers) => numbers.chunks_exact(PER_DISC).map(disc).collect(),
             Array::Counts(_) => Vec::new(),
         });
-        Self::resolve_with(&settings, || 0, frame)
+        Ok((Self::resolve_with(&settings, || 0, frame)?, has_new_end))
     }
 
     /// What the run that goes on writes: into its folder, at the intervals it was begun with.
