@@ -6,6 +6,7 @@ mod doctor;
 mod drift;
 mod interrupt;
 mod keeper;
+mod memory;
 mod plot;
 mod presets;
 mod report;

@@ -12,7 +12,7 @@ use super::keeper::Origin;
 use super::stepping::Stepping;
 use super::typed;
 use super::watch::placing_spinner;
-use super::{Failure, answer};
+use super::{Failure, answer, memory};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::record;
 use crate::output::recorder::{OutputPlan, Recorder};
@@ -148,6 +148,7 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
         threads: scenario.threads(),
         list_rebuilds: simulation.lists_made(),
         particle_steps_per_s: particle_steps / watch.stepping_time().max(1e-9),
+        peak_memory_MB: memory::peak_memory(),
         energy_start_J: start,
         energy_end_J: end,
         dissipated_J: dissipated,

@@ -38,6 +38,8 @@ pub struct Summary {
     pub list_rebuilds: u64,
     /// Speed of the stepping with its ledger, without the writing of files.
     pub particle_steps_per_s: f64,
+    /// The most memory held at once, MB; absent where the system does not tell it.
+    pub peak_memory_MB: Option<f64>,
     /// Mechanical energy at the start, J.
     pub energy_start_J: f64,
     /// Mechanical energy at the end, J.
