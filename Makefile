@@ -7,7 +7,7 @@ $(EXEC): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	$(CARGO) build --release
 	cp target/release/parsim2d $(EXEC)
 
-.PHONY: run live plot test check kill-test corruption-test disk-full-test bench clean
+.PHONY: run live plot test check kill-test corruption-test disk-full-test bench scaling costs peers clean
 run: $(EXEC)            # simulate; writes out.txt, trajectory.txt, energy.csv
 	./$(EXEC) $(ARGS)
 
@@ -36,6 +36,15 @@ disk-full-test: $(EXEC) # a tmpfs that fills up during output and during a check
 
 bench: $(EXEC)          # how fast is this machine? writes bench/<machine>/<date>.csv
 	sh bench/run.sh ./$(EXEC)
+
+scaling: $(EXEC)        # what threads bring
+	sh bench/scaling.sh ./$(EXEC)
+
+costs: $(EXEC)          # what ledger, frames and progress bar take
+	sh bench/costs.sh ./$(EXEC)
+
+peers: $(EXEC)          # beside LAMMPS (apt-get install lammps), as a table
+	sh bench/peers/run.sh ./$(EXEC) --markdown
 
 clean:                  # what runs, plots and builds wrote
 	rm -f $(EXEC) out.txt trajectory.txt energy.csv last-run.toml failure.json *.tmp parsim2d.ckpt parsim2d.previous.ckpt replay.gif energy.png velocity.png

@@ -1,45 +1,53 @@
 #!/bin/sh
-# How fast does this machine step? Runs each scene five times, scenes in turn so that a noisy
-# machine is noisy for all, and writes the medians to bench/<machine>/<date>.csv.
+# How fast does this machine step, and in how much memory? Runs each scene five times, scenes in turn so
+# that a noisy machine is noisy for all, and writes the medians to bench/<machine>/<date>.csv.
 #
-# Usage: sh bench/run.sh ./parSim2D [runs]
+# Usage: sh bench/run.sh ./parSim2D [scene ...]
+#
+# PARSIM2D_BENCH_RUNS, _SCALE and _WORK: see scenes.sh.
 set -eu
 program=$(realpath "$1")
-runs=${2:-5}
-cd "$(dirname "$0")"
+shift
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/scenes.sh"
+scenes=${*:-guide-20 guide-20-no-ledger guide-1000 dense-1000 bed-20k bed-20k-no-ledger polydisperse-20k bed-100k gas-100k bed-1m bed-1m-no-ledger}
+results=$work/results
+rm -f "$results"
 
-cpu=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
-machine=$(printf '%s' "${cpu:-$(uname -m)}" | tr -cs 'A-Za-z0-9' '-' | tr 'A-Z' 'a-z' | sed 's/-$//')
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-
-# name, then the flags of the scene
-cat >"$folder/scenes" <<SCENES
-guide-20 -n 20 --time 2
-guide-20-no-ledger -n 20 --time 2 --energy-every 0
-guide-1000 -n 1000 --time 0.2
-dense-1000 -n 1000 --radius 5e-4 --time 0.2
-dense-1000-no-ledger -n 1000 --radius 5e-4 --time 0.2 --energy-every 0
-dense-20k -n 20000 --radius 1.1e-4 --time 0.01
-gas-100k -n 100000 --radius 2e-5 --speed 0.3 --gravity 0 --time 0.002
-SCENES
+threads=1
+if [ "$cores" -ge 2 ] && [ -n "$(threads_flag 2)" ]; then threads="1 2"; fi
+for scene in $scenes; do make_state "${scene%-no-ledger}"; done
 
 run=0
 while [ "$run" -lt "$runs" ]; do
-    while read -r scene flags; do
-        # shellcheck disable=SC2086 # flags are words
-        "$program" $flags --seed 1 --json -q --every 1000000000 --out-dir "$folder" |
-            sed -E 's/.*"n":([0-9]+).*"steps":([0-9]+).*"particle_steps_per_s":([0-9.eE+-]+).*"state_hash":"([0-9a-f]+)".*/'"$scene"' \1 \2 \3 \4/' >>"$folder/results"
-    done <"$folder/scenes"
+    for scene in $scenes; do
+        [ "$scene" = "${scene%-no-ledger}" ] && ledger= || ledger="--energy-every 0"
+        for t in $threads; do
+            # shellcheck disable=SC2046,SC2086 # flags are words
+            timed "${scene%-no-ledger}" $(threads_flag "$t") $ledger >"$work/summary"
+            for name in particle_steps_per_s peak_memory_MB list_rebuilds state_hash; do
+                printf '%s,' "$(field $name <"$work/summary")"
+            done | sed "s/^/$scene,$t,/; s/,\$//" >>"$results"
+            echo >>"$results"
+        done
+    done
     run=$((run + 1))
 done
 
-mkdir -p "$machine"
-result="$machine/$(date +%Y-%m-%d).csv"
-echo "scene,n,steps,threads,particle_steps_per_s,ns_per_particle_step,state_hash" >"$result"
-while read -r scene flags; do
-    grep "^$scene " "$folder/results" | sort -g -k 4 | awk -v middle=$(((runs + 1) / 2)) \
-        'NR == middle { printf "%s,%d,%d,1,%.3g,%.1f,%s\n", $1, $2, $3, $4, 1e9 / $4, $5 }' >>"$result"
-done <"$folder/scenes"
-echo "bench/$result"
+mkdir -p "$here/$(machine)"
+result=$here/$(machine)/$(date +%Y-%m-%d).csv
+[ "$scale" = 1 ] || result=$work/results.csv
+echo "scene,n,steps,threads,particle_steps_per_s,ns_per_particle_step,peak_memory_MB,list_rebuilds,state_hash" >"$result"
+for scene in $scenes; do
+    for t in $threads; do
+        # The run of median speed. What the run was may not hang on luck: all its hashes are one.
+        grep "^$scene,$t," "$results" | sort -t , -g -k 3 | awk -F , -v head="$scene,$(discs_of "${scene%-no-ledger}"),$(steps_of "${scene%-no-ledger}")" \
+            -v middle=$(((runs + 1) / 2)) '
+            NR == 1 { hash = $6 }
+            $6 != hash { print head ": two runs ended in two states, " hash " and " $6 >"/dev/stderr"; exit 1 }
+            NR == middle { printf "%s,%d,%.3g,%.1f,%s,%s,%s\n", head, $2, $3, 1e9 / $3, $4, $5, $6 }
+            END { if (!NR) { print head ": no runs" >"/dev/stderr"; exit 1 } }' >>"$result"
+    done
+done
+echo "$result"
 cat "$result"

@@ -1,0 +1,88 @@
+//! The scripts of `bench/` still run: with few discs and few steps, so that their numbers mean nothing.
+#![cfg(unix)] // they are shell scripts
+
+use std::path::Path;
+use std::process::Command;
+
+/// What `script` prints about `scenes`, scaled down. Its files go into a temporary folder.
+fn printed(script: &str, arguments: &[&str]) -> String {
+    let work = tempfile::tempdir().unwrap();
+    let output = Command::new("sh")
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("bench").join(script))
+        .arg(env!("CARGO_BIN_EXE_parsim2d"))
+        .args(arguments)
+        .env("PARSIM2D_BENCH_SCALE", "0.01")
+        .env("PARSIM2D_BENCH_RUNS", "2")
+        .env("PARSIM2D_BENCH_WORK", work.path())
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{script}: {errors}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The rows of the table that `text` holds below its head, each a list of cells.
+fn rows(text: &str, head: &str) -> Vec<Vec<String>> {
+    let below = text.lines().skip_while(|line| !line.starts_with(head));
+    below.skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+#[test]
+fn the_bench_runs_every_scene_and_says_speed_memory_and_state() {
+    let scenes =
+        ["guide-20", "dense-1000", "bed-20k-no-ledger", "polydisperse-20k", "gas-100k", "bed-1m"];
+    let text = printed("run.sh", &scenes);
+    let rows = rows(&text, "scene,n,steps,threads,");
+    for scene in scenes {
+        let row = rows.iter().find(|row| row[0] == scene).unwrap_or_else(|| panic!("{text}"));
+        let speed: f64 = row[4].parse().unwrap();
+        let nanoseconds: f64 = row[5].parse().unwrap();
+        // Written with three digits and one decimal: 0.05 ns of some 10, and half a per cent.
+        assert!((speed * nanoseconds * 1e-9 - 1.0).abs() < 0.02, "{row:?}");
+        assert_eq!(row[8].len(), 16, "no state hash: {row:?}");
+        if cfg!(target_os = "linux") {
+            assert!(row[6].parse::<f64>().unwrap() > 1.0, "no memory: {row:?}");
+        }
+    }
+}
+
+#[test]
+fn the_costs_of_ledger_frames_and_bar_are_measured() {
+    if Command::new("timeout").arg("--version").output().is_err() {
+        return; // not everywhere; `make costs` says so there
+    }
+    let text = printed("costs.sh", &[]);
+    let rows = rows(&text, "what,scene,n,");
+    for what in ["ledger", "live-frames", "trajectory"] {
+        let row = rows.iter().find(|row| row[0] == what).unwrap_or_else(|| panic!("{text}"));
+        assert!(row[3].parse::<f64>().unwrap() > 0.0 && row[4].parse::<f64>().is_ok(), "{row:?}");
+    }
+}
+
+#[test]
+fn lammps_where_it_is_installed_does_the_same_as_we_do() {
+    if Command::new("lmp").arg("-h").output().is_err() {
+        eprintln!("no LAMMPS here: nothing to compare with");
+        return;
+    }
+    let work = tempfile::tempdir().unwrap();
+    let output = Command::new("sh")
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("bench/peers/run.sh"))
+        .args([env!("CARGO_BIN_EXE_parsim2d"), "bed-20k"])
+        .env("PARSIM2D_BENCH_SCALE", "0.01")
+        .env("PARSIM2D_BENCH_RUNS", "1")
+        .env("PARSIM2D_BENCH_WORK", work.path())
+        .output()
+        .unwrap();
+    let (text, said) =
+        (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert!(output.status.success(), "{said}");
+    assert!(text.contains("\nbed-20k,"), "{text}");
+    let line = said.lines().find(|line| line.contains("kinetic energy")).unwrap();
+    let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let [_, kinetic, theirs, height, their_height] = numbers[..] else { panic!("{line}") };
+    // Velocity Verlet begins with half a kick where Eq. (3) has a whole one: velocities differ by half a step
+    // in 20 at the most. Heights are those of discs that have moved by far less than a millionth of the bed's.
+    assert!((kinetic / theirs - 1.0).abs() < 0.05, "{line}");
+    assert!((height / their_height - 1.0).abs() < 1e-6, "{line}");
+}
