@@ -102,7 +102,7 @@ make_state() {
     bed-*)
         awk -v n="$n" -v radius=5e-4 -v mass="$(mass_of "$1")" -v kn=$kn -v gravity="$(gravity_of "$1")" -v seed=1 \
             -f "$here/bed.awk" >"$new"
-        rounds=3
+        rounds=8
         [ "$1" != bed-1m ] || rounds=1
         settle "$new" "$(count 1000 10)" $rounds "$(gravity_of "$1")"
         awk -f "$here/shuffle.awk" "$new" >"$new.shuffled"

@@ -2,12 +2,12 @@
 #![cfg(unix)] // they are shell scripts
 
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
 
-/// What `script` prints about `scenes`, scaled down. Its files go into a temporary folder.
-fn printed(script: &str, arguments: &[&str]) -> String {
+/// What comes of `script`, scaled down. Its files go into a temporary folder.
+fn outcome(script: &str, arguments: &[&str]) -> Output {
     let work = tempfile::tempdir().unwrap();
-    let output = Command::new("sh")
+    Command::new("sh")
         .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("bench").join(script))
         .arg(env!("CARGO_BIN_EXE_parsim2d"))
         .args(arguments)
@@ -15,7 +15,12 @@ fn printed(script: &str, arguments: &[&str]) -> String {
         .env("PARSIM2D_BENCH_RUNS", "2")
         .env("PARSIM2D_BENCH_WORK", work.path())
         .output()
-        .unwrap();
+        .unwrap()
+}
+
+/// What `script` prints.
+fn printed(script: &str, arguments: &[&str]) -> String {
+    let output = outcome(script, arguments);
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{script}: {errors}");
     String::from_utf8(output.stdout).unwrap()
@@ -60,20 +65,30 @@ fn the_costs_of_ledger_frames_and_bar_are_measured() {
 }
 
 #[test]
+fn speedup_over_threads_is_measured_where_there_are_threads() {
+    let output = outcome("scaling.sh", &["dense-1000"]);
+    if output.status.code() == Some(2) {
+        let errors = String::from_utf8_lossy(&output.stderr);
+        return assert!(errors.contains("has no --threads"), "{errors}");
+    }
+    let text = String::from_utf8(output.stdout).unwrap();
+    let rows = rows(&text, "scene,n,threads,");
+    let [_, _, threads, _, speedup, .., efficiency, same_bits] = &rows[0][..] else {
+        panic!("{text}")
+    };
+    // One thread beside itself.
+    let beside_itself = [threads, speedup, efficiency].map(|cell| cell.parse::<f64>().unwrap());
+    assert_eq!(beside_itself, [1.0; 3], "{text}");
+    assert_eq!(same_bits, "yes", "{text}");
+}
+
+#[test]
 fn lammps_where_it_is_installed_does_the_same_as_we_do() {
     if Command::new("lmp").arg("-h").output().is_err() {
         eprintln!("no LAMMPS here: nothing to compare with");
         return;
     }
-    let work = tempfile::tempdir().unwrap();
-    let output = Command::new("sh")
-        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("bench/peers/run.sh"))
-        .args([env!("CARGO_BIN_EXE_parsim2d"), "bed-20k"])
-        .env("PARSIM2D_BENCH_SCALE", "0.01")
-        .env("PARSIM2D_BENCH_RUNS", "1")
-        .env("PARSIM2D_BENCH_WORK", work.path())
-        .output()
-        .unwrap();
+    let output = outcome("peers/run.sh", &["bed-20k"]);
     let (text, said) =
         (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     assert!(output.status.success(), "{said}");
