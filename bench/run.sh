@@ -45,7 +45,10 @@ for scene in $scenes; do
             -v middle=$(((runs + 1) / 2)) '
             NR == 1 { hash = $6 }
             $6 != hash { print head ": two runs ended in two states, " hash " and " $6 >"/dev/stderr"; exit 1 }
-            NR == middle { printf "%s,%d,%.3g,%.1f,%s,%s,%s\n", head, $2, $3, 1e9 / $3, $4, $5, $6 }
+            NR == middle {
+                memory = $4 == "" ? "" : sprintf("%.4g", $4)
+                printf "%s,%d,%.3g,%.1f,%s,%s,%s\n", head, $2, $3, 1e9 / $3, memory, $5, $6
+            }
             END { if (!NR) { print head ": no runs" >"/dev/stderr"; exit 1 } }' >>"$result"
     done
 done
