@@ -408,7 +408,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.ids.clone_from(ids);
         self.springs.clone_from(springs);
         self.tally = tally.clone();
-        self.works = self.works.map(|_| *works);
+        self.works = (!springs.is_empty()).then_some(*works);
         self.moves.clear();
         self.forces_are_new = false;
         self.in_id_order.take();
