@@ -7,22 +7,22 @@ use parsim2d::simulation::Simulation;
 
 /// Scenes that differ in who touches whom, and how often.
 const SCENES: [(&str, &str, u64); 7] = [
-    ("dense", "n = 900\nseed = 1\nradius = 5e-4\nside = 0.04\nspeed = 0.3", 3000),
-    ("gas", "n = 1500\nseed = 2\nradius = 1e-4\ngravity = 0\nrestitution = 1\nspeed = 1.5", 2000),
-    ("falling", "n = 700\nseed = 3\nradius = 3e-4\nrestitution = 0.7", 9000),
+    ("dense", "n = 900\nseed = 1\nradius = 5e-4\nside = 0.04\nspeed = 0.3", 1500),
+    ("gas", "n = 1500\nseed = 2\nradius = 1e-4\ngravity = 0\nrestitution = 1\nspeed = 1.5", 1000),
+    ("falling", "n = 700\nseed = 3\nradius = 3e-4\nrestitution = 0.7", 6000),
     (
         "corner",
         "n = 600\nseed = 4\nradius = 4e-4\nspeed = 1\nkn = 2e4\nrestitution = 0.4\nwalls = false\n\
          integrator = 'velocity-verlet'",
-        3000,
+        1500,
     ),
     (
         "polydisperse",
         "seed = 5\nspeed = 0.5\nrestitution = 0.8\n[[population]]\nn = 40\nradius = 1.5e-3\n\
          mass = 9e-3\n[[population]]\nn = 600\nradius = 4e-4\nmass = 1e-3",
-        3000,
+        1500,
     ),
-    ("soft", "n = 500\nseed = 6\nspeed = 2\nradius = 4e-4\nkn = 3e3\neta = 0.01", 2500),
+    ("soft", "n = 500\nseed = 6\nspeed = 2\nradius = 4e-4\nkn = 3e3\neta = 0.01", 1200),
     (
         "clipped",
         "n = 500\nseed = 7\nspeed = 1\nradius = 5e-4\ngamma = 8e2\nno_tension = true",

@@ -29,6 +29,15 @@ pub(super) trait Kept: Copy {
     fn spring(self) -> f64x2;
     /// The sum of both.
     fn plus(self, other: Self) -> Self;
+
+    /// The sum of this and of all that `triples` name in the `ring`, one after the other.
+    #[inline(always)]
+    fn plus_all(self, triples: &[[u32; 3]], ring: &[Self]) -> Self {
+        triples.iter().fold(self, |sum, &[first, second, third]| {
+            let sum = sum.plus(ring[first as usize]).plus(ring[second as usize]);
+            sum.plus(ring[third as usize])
+        })
+    }
 }
 
 /// The whole force alone.
@@ -172,34 +181,31 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
     ) {
         let discs = &self.particles[places.clone()];
         let at_wall = self.near.at_wall_among(&places);
-        for &place in at_wall {
-            let here = place as usize - places.start;
-            let (force, spring) = self.touch_walls(&discs[here], largest);
-            forces[here] = force;
-            springs.get_mut(here).into_iter().for_each(|of_disc| *of_disc = spring);
-        }
-        let mut at_wall = at_wall.iter().map(|&place| place as usize - places.start).peekable();
-        let triples = self.near.triples_of(places.clone());
-        for (here, (disc, triples)) in discs.iter().zip(triples).enumerate() {
-            let mut sum = match at_wall.next_if_eq(&here) {
-                None => K::of(vector(disc.mass * self.gravity), f64x2::ZERO),
-                Some(_) if K::HAS_SPRING => K::of(vector(forces[here]), vector(springs[here])),
-                Some(_) => K::of(vector(forces[here]), f64x2::ZERO),
-            };
-            for &[first, second, third] in triples {
-                sum = sum.plus(ring[first as usize]);
-                sum = sum.plus(ring[second as usize]);
-                sum = sum.plus(ring[third as usize]);
-            }
+        let weight = |disc: &Particle| K::of(vector(disc.mass * self.gravity), f64x2::ZERO);
+        let mut put = |here: usize, sum: K| {
             forces[here] = DVec2::from_array(sum.force().to_array());
             if K::HAS_SPRING {
                 springs[here] = DVec2::from_array(sum.spring().to_array());
             }
+        };
+        let triples = self.near.triples_of(places.clone());
+        let all = discs.iter().zip(triples).enumerate();
+        if at_wall.is_empty() {
+            all.for_each(|(here, (disc, triples))| put(here, weight(disc).plus_all(triples, ring)));
+            return;
+        }
+        let mut at_wall = at_wall.iter().map(|&place| place as usize - places.start).peekable();
+        for (here, (disc, triples)) in all {
+            let start = match at_wall.next_if_eq(&here) {
+                None => weight(disc),
+                Some(_) => self.touch_walls(disc, largest),
+            };
+            put(here, start.plus_all(triples, ring));
         }
     }
 
-    /// Weight and walls, and what the walls' springs do, N.
-    fn touch_walls(&self, disc: &Particle, largest: &mut Largest) -> (DVec2, DVec2) {
+    /// Weight and walls.
+    fn touch_walls<K: Kept>(&self, disc: &Particle, largest: &mut Largest) -> K {
         let (mut force, mut spring) = (disc.mass * self.gravity, DVec2::ZERO);
         for plane in self.planes {
             let distance = plane.distance(disc.position);
@@ -210,7 +216,7 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
                 *wall = wall.max(contact.overlap / disc.radius);
             }
         }
-        (force, spring)
+        K::of(vector(force), vector(spring))
     }
 
     /// Energy stored in the contacts of the discs of a block with walls and with discs ahead, J.

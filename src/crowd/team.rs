@@ -9,9 +9,10 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 
-/// Looks for work before a helper lets others run, and before it goes to sleep.
+/// Looks for work before a thread lets others run, if there is a core for each, and looks after that
+/// before a helper goes to sleep.
 const LOOKS_AWAKE: u32 = 2_000;
-const LOOKS_YIELDING: u32 = 4_000;
+const LOOKS_YIELDING: u32 = 2_000;
 
 type Work<'a> = &'a (dyn Fn(usize) + Sync);
 
@@ -31,12 +32,16 @@ struct Desk {
     busy: AtomicUsize,
     has_panicked: AtomicBool,
     is_closed: AtomicBool,
+    /// Looks for work before a thread lets others run.
+    looks_awake: u32,
 }
 
 impl Team {
     /// A team of `threads`, the caller's included; of fewer, if the system gives no more.
     pub fn of(threads: usize) -> Self {
-        let desk = Arc::<Desk>::default();
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let looks_awake = if threads > cores { 0 } else { LOOKS_AWAKE };
+        let desk = Arc::new(Desk { looks_awake, ..Desk::default() });
         let hire = |k: usize| {
             let desk = desk.clone();
             thread::Builder::new().name(format!("step {k}")).spawn(move || desk.help(k)).ok()
@@ -104,7 +109,7 @@ impl Drop for Waiting<'_> {
         let mut looks = 0_u32;
         while self.0.busy.load(Ordering::Acquire) > 0 {
             looks += 1;
-            if looks < LOOKS_AWAKE { std::hint::spin_loop() } else { thread::yield_now() }
+            if looks < self.0.looks_awake { std::hint::spin_loop() } else { thread::yield_now() }
         }
         *locked(&self.0.work) = None;
     }
@@ -137,11 +142,12 @@ impl Desk {
                 return works;
             }
             looks += 1;
-            match looks {
-                0..LOOKS_AWAKE => std::hint::spin_loop(),
-                LOOKS_AWAKE..LOOKS_YIELDING => thread::yield_now(),
-                // Woken by the next work, also if that came just now.
-                _ => thread::park(),
+            if looks < self.looks_awake {
+                std::hint::spin_loop();
+            } else if looks < self.looks_awake + LOOKS_YIELDING {
+                thread::yield_now();
+            } else {
+                thread::park(); // woken by the next work, also if that came just now
             }
         }
     }
