@@ -119,3 +119,45 @@ pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_put_in_order_lies_where_the_order_says() {
+        for order in [vec![], vec![0], vec![1, 0], vec![2, 0, 1, 3], vec![4, 3, 0, 1, 2]] {
+            let before: Vec<u32> = (0..order.len() as u32).map(|k| 10 * k).collect();
+            let mut after = before.clone();
+            put_in_order(&mut order.clone(), |a, b| after.swap(a, b));
+            let wanted: Vec<u32> = order.iter().map(|&from| before[from as usize]).collect();
+            assert_eq!(after, wanted);
+        }
+    }
+
+    #[test]
+    fn neighbours_within_reach_are_ahead_of_one_another_wherever_discs_are() {
+        let golden = |k: usize| (0.618_034 * k as f64).fract();
+        let spread = |k: usize| DVec2::new(golden(k), golden(7 * k + 3));
+        let kinds: [fn(DVec2) -> DVec2; 4] = [
+            |place| place,
+            |place| DVec2::new(place.x, 0.0),
+            |place| DVec2::new(100.0 * place.x, place.y),
+            |place| if place.x < 0.01 { 1e6 * place } else { place },
+        ];
+        for kind in kinds {
+            let mut discs: Vec<_> =
+                (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
+            let (reach, mut cells) = (0.05, Cells::default());
+            cells.lay_out(&discs, |_| reach);
+            put_in_order(&mut cells.order(&discs), |a, b| discs.swap(a, b));
+            for (a, p) in discs.iter().enumerate() {
+                let [here, above] = cells.ahead_of(a, p.position);
+                for (b, q) in discs.iter().enumerate().skip(a + 1) {
+                    let is_near = p.position.distance(q.position) < reach;
+                    assert!(!is_near || here.contains(&b) || above.contains(&b), "{a} {b}");
+                }
+            }
+        }
+    }
+}

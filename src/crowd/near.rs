@@ -261,3 +261,27 @@ pub(super) fn best_skin(radius: f64, density: f64, travel: f64) -> f64 {
 pub(super) fn reference(listed_at: [f32; 2]) -> DVec2 {
     DVec2::new(f64::from(listed_at[0]), f64::from(listed_at[1]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_skin_is_the_one_of_least_cost() {
+        // What a step costs with a skin of u radii, in lists: pairs walked, and lists made.
+        let (density, per_step) = (0.8, 1e-3);
+        let cost =
+            |u: f64| 0.5 * COST_OF_PAIR * density * (2.0 + u) * (2.0 + u) + 2.0 * per_step / u;
+        let best = best_skin(1e-4, density, per_step * 1e-4) / 1e-4;
+        // A parabola at its bottom: a hundredth to either side costs more.
+        assert!(cost(best) < cost(0.99 * best) && cost(best) < cost(1.01 * best), "{best}");
+    }
+
+    #[test]
+    fn the_skin_keeps_to_its_bounds_at_rest_and_at_any_speed() {
+        for (travel, bound) in [(0.0, SKIN.start), (1e3, SKIN.end)] {
+            let skin = best_skin(2.0, 0.8, travel);
+            assert!((skin / (2.0 * bound) - 1.0).abs() < 1e-6, "{skin}"); // 30 halvings
+        }
+    }
+}

@@ -108,7 +108,14 @@ impl Summary {
         writeln!(out, "n        {n} discs, preset {preset}, seed {seed}")?;
         writeln!(out, "dt       {dt_s:.4e} s ({}), {integrator}", self.who_set_dt())?;
         writeln!(out, "run      {steps} steps to t = {time_s:.6} s{stopped}")?;
-        writeln!(out, "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s")?;
+        let threads = match self.threads {
+            1 => String::new(),
+            threads => format!(" on {threads} threads"),
+        };
+        writeln!(
+            out,
+            "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s{threads}"
+        )?;
         write!(out, "energy   {start:.6e} J at start, {end:.6e} J at end")?;
         writeln!(out, "{}", dissipated.unwrap_or_default())?;
         if let Some(error) = self.energy_error_J.filter(|error| error.is_finite()) {
