@@ -1,6 +1,7 @@
 //! Kicks and drifts, block by block: each disc is fetched once for all that is to be done with it.
 
 use glam::DVec2;
+use wide::f64x2;
 
 use super::near::reference;
 use crate::particle::Particle;
@@ -121,17 +122,21 @@ fn kick_and_book(
     dt: f64,
     mut then: impl FnMut(&mut Particle),
 ) -> Booked {
-    let mut booked = [0.0; 3];
+    let vector = |v: DVec2| f64x2::new(v.to_array());
+    let (gravity, half) = (vector(gravity), f64x2::splat(0.5 * dt));
+    // By components, added at the end.
+    let mut booked = [f64x2::ZERO; 3];
     for (disc, &spring) in particles.iter_mut().zip(springs) {
-        let before = disc.velocity;
+        let before = vector(disc.velocity);
         disc.kick(dt);
-        let path = 0.5 * (before + disc.velocity) * dt;
-        let weight = disc.mass * gravity;
-        let dashpot = disc.force - weight - spring;
-        booked[0] += weight.dot(path);
-        booked[1] += spring.dot(path);
-        booked[2] += dashpot.dot(path);
+        let path = (before + vector(disc.velocity)) * half;
+        let weight = f64x2::splat(disc.mass) * gravity;
+        let spring = vector(spring);
+        let dashpot = vector(disc.force) - weight - spring;
+        booked[0] += weight * path;
+        booked[1] += spring * path;
+        booked[2] += dashpot * path;
         then(disc);
     }
-    booked
+    booked.map(|work| work.to_array()[0] + work.to_array()[1])
 }

@@ -85,8 +85,8 @@ impl Kept for [f64x2; 2] {
 /// The last of the pairs' forces: for each pair that on its first disc, then that on its second.
 #[derive(Default)]
 pub(super) struct Ring {
-    whole: Vec<f64x2>,      // N
-    split: Vec<[f64x2; 2]>, // N, with a ledger
+    whole: Vec<[f64x2; 2]>,      // N
+    split: Vec<[[f64x2; 2]; 2]>, // N, with a ledger
 }
 
 /// What a pass over the pairs needs to know.
@@ -118,12 +118,12 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
         *kept = ring;
     }
 
-    fn serve_with<'a, K: Kept>(&self, ring: &mut Vec<K>, share: Share<'a>) -> &'a mut Ring {
+    fn serve_with<'a, K: Kept>(&self, ring: &mut Vec<[K; 2]>, share: Share<'a>) -> &'a mut Ring {
         let Share { blocks, forces, springs, ring: kept, largest } = share;
         // Room for the pairs, and at the end for no force at all.
         let nothing = K::of(f64x2::ZERO, f64x2::ZERO);
-        ring.resize(2 * self.near.pairs_at_a_time + 1, nothing);
-        ring[2 * self.near.pairs_at_a_time] = nothing;
+        ring.resize(self.near.pairs_at_a_time + 1, [nothing; 2]);
+        ring[self.near.pairs_at_a_time] = [nothing; 2];
         let first = blocks.start * BLOCK;
         let before =
             self.near.reaches_back_to[blocks.start] as usize..self.pairs_of(blocks.start).start;
@@ -146,11 +146,12 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
 
     /// Puts the forces of these pairs into the ring.
     #[inline(always)]
-    fn walk<K: Kept>(&self, pairs: Range<usize>, ring: &mut [K], largest: &mut Largest) {
-        let (law, discs, room) = (self.law.clone(), self.particles, self.near.pairs_at_a_time);
+    fn walk<K: Kept>(&self, pairs: Range<usize>, ring: &mut [[K; 2]], largest: &mut Largest) {
+        let (law, discs) = (self.law.clone(), self.particles);
+        let ring = &mut ring[..self.near.pairs_at_a_time]; // a power of two
         let mut put = |pair: usize, force: f64x2, spring: f64x2| {
-            let at = 2 * (pair & (room - 1));
-            (ring[at], ring[at + 1]) = (K::of(force ^ MINUS, spring ^ MINUS), K::of(force, spring));
+            let last = ring.len() - 1;
+            ring[pair & last] = [K::of(force ^ MINUS, spring ^ MINUS), K::of(force, spring)];
         };
         let mut pair = pairs.start;
         let mut twos = self.near.pairs[pairs].chunks_exact(2);
@@ -176,7 +177,7 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
         places: Range<usize>,
         forces: &mut [DVec2],
         springs: &mut [DVec2],
-        ring: &[K],
+        ring: &[[K; 2]],
         largest: &mut Largest,
     ) {
         let discs = &self.particles[places.clone()];
@@ -188,7 +189,7 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
                 springs[here] = DVec2::from_array(sum.spring().to_array());
             }
         };
-        let triples = self.near.triples_of(places.clone());
+        let (triples, ring) = (self.near.triples_of(places.clone()), ring.as_flattened());
         let all = discs.iter().zip(triples).enumerate();
         if at_wall.is_empty() {
             all.for_each(|(here, (disc, triples))| put(here, weight(disc).plus_all(triples, ring)));
