@@ -13,6 +13,7 @@
 
 mod cells;
 mod contact_lanes;
+mod kept;
 mod lane_law;
 mod motion;
 mod near;
@@ -24,12 +25,13 @@ use std::sync::OnceLock;
 use glam::DVec2;
 
 use self::cells::{Cells, put_in_order};
+use self::kept::{Resized, Since};
 pub use self::lane_law::{ContactLanes, LaneLaw};
 use self::motion::{Block, Booked, Move};
 use self::near::{Near, best_skin};
 use self::push::{Largest, Pass, Ring, Share};
 use self::team::Team;
-use crate::discs::{Discs, PlainDiscs, Snapshot};
+use crate::discs::{Discs, Kept, PlainDiscs, Snapshot};
 use crate::force::{Contacts, Force, HalfPlane, Tally, Walls};
 use crate::integrator::Motion;
 use crate::neighbours::{Neighbours, largest_radius};
@@ -65,6 +67,10 @@ pub struct Crowd<L> {
     works: Option<Works>,
     team: Team,
     rings: Vec<Ring>,
+    /// What the discs have done since the forces in them were added up.
+    since_forces: Since,
+    /// Size changes by hand: the disc, and what it was.
+    resized: Vec<Resized>,
     /// Made when asked for: the discs in id order, and where each id is stored.
     in_id_order: OnceLock<Vec<Particle>>,
     places: OnceLock<Vec<u32>>,
@@ -98,6 +104,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             works: None,
             rings: (0..team.threads()).map(|_| Ring::default()).collect(),
             team,
+            since_forces: Since::Still,
+            resized: Vec::new(),
             in_id_order: OnceLock::new(),
             places: OnceLock::new(),
         };
@@ -126,6 +134,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         };
         let mut books = vec![[0.0; 3]; blocks * kicks];
         let farthest = self.move_blocks(&moves, kicks, &mut books);
+        self.since_forces = self.since_forces.and_then(&moves);
         self.moves = moves;
         self.moves.clear();
         self.forces_are_new = false;
@@ -261,6 +270,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         largest.iter().for_each(|largest| all.join(largest));
         self.tally = all.tally;
         self.forces_are_new = true;
+        self.since_forces = Since::Still;
     }
 }
 
@@ -283,6 +293,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
 
     fn particles_mut(&mut self) -> &mut [Particle] {
         self.restore_id_order();
+        self.since_forces = Since::Unknown;
         &mut self.particles
     }
 }
@@ -372,7 +383,9 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
             works.external.add(given);
         }
         for (disc, &id) in self.particles.iter_mut().zip(&self.ids) {
-            *disc = after[id as usize];
+            let (was, is) = (&before[id as usize], after[id as usize]);
+            self.resized.extend(Resized::between(id, was, &is));
+            *disc = is;
         }
         self.near.forget();
         self.update_forces();
@@ -413,7 +426,16 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.forces_are_new = false;
         self.in_id_order.take();
         self.places.take();
-        self.near.restore(snapshot, &self.ids, &self.planes);
+        self.since_forces = Since::Unknown;
+        self.near.restore(snapshot, &self.particles, &self.ids, &self.planes);
+    }
+
+    fn keep(&self, kept: &mut Kept) {
+        self.keep_in(kept);
+    }
+
+    fn go_back(&mut self, kept: &Kept) {
+        self.go_back_to(kept);
     }
 
     fn lists_made(&self) -> u64 {

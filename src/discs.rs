@@ -45,6 +45,15 @@ pub trait Discs: Motion + Send {
     fn snapshot(&self) -> Snapshot;
     /// Goes back to what was remembered.
     fn restore(&mut self, snapshot: &Snapshot);
+    /// Keeps what [`go_back`](Self::go_back) needs in `kept`, in place of what was there.
+    fn keep(&self, kept: &mut Kept) {
+        *kept = Kept::default(); // gone before the next is made
+        kept.snapshot = self.snapshot();
+    }
+    /// Goes back to what was kept of these discs.
+    fn go_back(&mut self, kept: &Kept) {
+        self.restore(&kept.snapshot);
+    }
     /// Lists of near pairs made so far.
     fn lists_made(&self) -> u64 {
         0
@@ -72,6 +81,22 @@ pub struct Snapshot {
     pub skin: f64,
     /// The square of how far a disc may move before there is a new one, m2.
     pub limit_squared: f64,
+}
+
+/// The same for the discs of this run only, in less memory where that can be: what a run does not
+/// change is not kept, nor what follows from the rest.
+#[derive(Default)]
+pub struct Kept {
+    /// Everything else; without discs and springs if `moving` has them.
+    pub snapshot: Snapshot,
+    /// Position, m, and velocity, m/s, of each disc as it is stored.
+    pub moving: Vec<[DVec2; 2]>,
+    /// Force on each, N; empty if it follows from positions and velocities.
+    pub forces: Vec<DVec2>,
+    /// Whether there was a ledger.
+    pub has_ledger: bool,
+    /// Discs given another size by hand so far.
+    pub resized: usize,
 }
 
 /// Discs in id order, one force after the other.

@@ -15,7 +15,8 @@ pub trait Motion {
     /// F = F(x, v), every disc.
     fn update_forces(&mut self);
     /// The discs themselves, for methods that need more than kicks and drifts. Velocities
-    /// changed here and not by `kick` are missing from the work ledger.
+    /// changed here and not by `kick` are missing from the work ledger; radii and masses are not an
+    /// integrator's to change: a guard that goes back would not find the old ones.
     fn particles_mut(&mut self) -> &mut [Particle];
 }
 

@@ -11,6 +11,7 @@ mod exclusive;
 pub mod expected;
 pub mod file;
 pub mod finding;
+pub mod framed;
 pub mod judgement;
 pub mod notes;
 mod number;
@@ -28,10 +29,12 @@ pub mod study;
 mod suspects;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use glam::DVec2;
 
 use self::error::ScenarioError;
+use self::framed::FramedDiscs;
 use self::preset::Preset;
 use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
@@ -150,8 +153,8 @@ pub enum DiscSource {
     Frame {
         /// The file and frame as said.
         said: String,
-        /// The discs read.
-        discs: Vec<Particle>,
+        /// The discs read, shared by all variants of a scenario.
+        discs: Arc<FramedDiscs>,
         /// Whether the file has columns for velocities.
         has_velocities: bool,
     },
@@ -257,7 +260,8 @@ impl Scenario {
         if self.tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero }
     }
 
-    /// The discs by kind: those placed by the program in groups, listed ones one by one.
+    /// The discs by kind: those placed by the program in groups, listed ones one by one, those of a frame
+    /// together as far as there are not many kinds.
     pub fn species(&self) -> Vec<Species> {
         let one = |disc: &Particle| Species { n: 1, radius: disc.radius, mass: disc.mass };
         match &self.discs {
@@ -272,7 +276,7 @@ impl Scenario {
                 });
                 listed.iter().map(one).chain(groups).collect()
             }
-            DiscSource::Frame { discs, .. } => discs.iter().map(one).collect(),
+            DiscSource::Frame { discs, .. } => kinds(discs.iter().map(|disc| one(&disc))),
         }
     }
 
@@ -318,7 +322,12 @@ impl Scenario {
 
     /// Places the discs and puts the simulation together, at t = 0.
     pub fn build(&self) -> Result<Simulation, ScenarioError> {
-        Ok(self.assemble(self.place()?, self.is_crowd()))
+        Ok(self.build_of(self.place()?))
+    }
+
+    /// Puts the simulation together of `discs` that [`place`](Self::place) gave, at t = 0.
+    pub fn build_of(&self, discs: Vec<Particle>) -> Simulation {
+        self.assemble(discs, self.is_crowd())
     }
 
     /// Whether there are so many discs that storing them by cell pays.
@@ -357,6 +366,20 @@ impl Scenario {
         let usual = || if self.n() < WORTH_SHARING { 1 } else { cores() };
         self.output.threads.unwrap_or_else(usual)
     }
+}
+
+/// Equal ones together; after the first kinds, one by one.
+fn kinds(discs: impl Iterator<Item = Species>) -> Vec<Species> {
+    const MANY: usize = 64;
+    let mut kinds: Vec<Species> = Vec::new();
+    for disc in discs {
+        let is_like = |kind: &&mut Species| (kind.radius, kind.mass) == (disc.radius, disc.mass);
+        match kinds.iter_mut().take(MANY).find(is_like) {
+            Some(kind) => kind.n += 1,
+            None => kinds.push(disc),
+        }
+    }
+    kinds
 }
 
 /// The smallest and the largest of `values`.

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use crate::discs::{Discs, PlainDiscs, Snapshot};
+use crate::discs::{Discs, Kept, PlainDiscs, Snapshot};
 use crate::force::Force;
 use crate::integrator::Integrator;
 use crate::particle::Particle;
@@ -44,6 +44,20 @@ pub fn place_discs(
     let mut discs = vec![Particle::at_rest(DVec2::ZERO, radius, mass); n];
     placement::at_random(&mut discs, 0, side, &mut placement::generator(seed))?;
     Ok(discs)
+}
+
+/// A state of one simulation, for this to come back to.
+#[derive(Default)]
+pub struct KeptState {
+    discs: Kept,
+    steps: u64,
+}
+
+impl KeptState {
+    /// Steps done until then.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
 }
 
 /// The state of a simulation between two steps.
@@ -221,6 +235,19 @@ impl Simulation {
     pub fn set_state(&mut self, state: &State) {
         self.steps = state.steps;
         self.discs.restore(&state.discs);
+    }
+
+    /// Keeps the present state in `kept`, in place of what was there: for this simulation to come back
+    /// to, in less memory than [`state`](Self::state) takes.
+    pub fn keep(&self, kept: &mut KeptState) {
+        self.discs.keep(&mut kept.discs);
+        kept.steps = self.steps;
+    }
+
+    /// Goes back to the state that was `kept` of this simulation.
+    pub fn go_back(&mut self, kept: &KeptState) {
+        self.steps = kept.steps;
+        self.discs.go_back(&kept.discs);
     }
 
     /// A 64-bit fingerprint of the state: FNV-1a (Fowler, Noll, Vo) over the step and then, in

@@ -3,7 +3,7 @@
 
 use parsim2d::analysis::energy::EnergyLedger;
 use parsim2d::scenario::Scenario;
-use parsim2d::simulation::Simulation;
+use parsim2d::simulation::{KeptState, Simulation};
 
 /// Scenes that differ in who touches whom, and how often.
 const SCENES: [(&str, &str, u64); 7] = [
@@ -119,4 +119,56 @@ fn a_state_come_back_to_goes_on_to_the_same_bits() {
         other.step_until(steps);
         assert_eq!((outcome(&other), ledger.row(&other)), wanted, "{name}, another crowd");
     }
+}
+
+#[test]
+fn a_kept_state_gone_back_to_goes_on_to_the_same_bits() {
+    for (name, text, steps) in SCENES {
+        for (has_ledger, threads) in [(true, 2), (false, 1)] {
+            let mut straight = crowd(text, threads);
+            let ledger = has_ledger.then(|| EnergyLedger::open(&mut straight));
+            let outcome = |simulation: &Simulation| {
+                (outcome(simulation), ledger.as_ref().map(|ledger| ledger.row(simulation)))
+            };
+            let mut kept = KeptState::default();
+            straight.keep(&mut kept); // what it keeps first does not stay
+            straight.step_until(steps / 3);
+            straight.keep(&mut kept);
+            let there = (outcome(&straight), forces(&straight));
+            straight.step_until(steps);
+            let wanted = outcome(&straight);
+            for _ in 0..2 {
+                straight.go_back(&kept);
+                assert_eq!(kept.steps(), steps / 3);
+                assert_eq!((outcome(&straight), forces(&straight)), there, "{name}, there");
+                straight.step_until(steps);
+                assert_eq!(outcome(&straight), wanted, "{name}, from there on");
+            }
+        }
+    }
+}
+
+#[test]
+fn sizes_changed_by_hand_are_gone_back_on_too() {
+    let (_, text, steps) = SCENES[0];
+    let mut run = crowd(text, 1);
+    run.step_until(steps / 3);
+    let mut kept = KeptState::default();
+    run.keep(&mut kept);
+    run.step_until(steps / 2);
+    let wanted = outcome(&run);
+    for factor in [1.1, 1.2] {
+        run.act(|discs| discs[7].radius *= factor);
+        run.act(|discs| discs.iter_mut().for_each(|disc| disc.mass *= factor));
+        run.step_until(steps / 2 + 10);
+    }
+    assert_ne!(run.particles()[7].radius, 5e-4);
+    run.go_back(&kept);
+    run.step_until(steps / 2);
+    assert_eq!(outcome(&run), wanted);
+}
+
+/// Every force, to the bit, N.
+fn forces(simulation: &Simulation) -> Vec<[u64; 2]> {
+    simulation.each_particle().map(|disc| disc.force.to_array().map(f64::to_bits)).collect()
 }

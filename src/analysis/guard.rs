@@ -8,8 +8,7 @@ use glam::DVec2;
 use super::energy::MechanicalEnergy;
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
-use crate::simulation::{Simulation, State};
-use crate::work::sum_over;
+use crate::simulation::{KeptState, Simulation};
 
 /// Steps between two looks.
 pub const EVERY: u64 = 64;
@@ -89,7 +88,7 @@ pub struct Guard {
     soft: bool,
     start: MechanicalEnergy, // J
     movable: f64,            // J, what could move the discs at the start
-    kept: State,
+    kept: KeptState,
     looks: u64,
     /// The step of the last look, if the energy had grown then.
     grown_at: Option<u64>,
@@ -100,7 +99,7 @@ impl Guard {
     /// `soft` may pass through each other.
     pub fn new(simulation: &Simulation, side: Option<f64>, soft: bool) -> Self {
         let start = MechanicalEnergy::of(simulation);
-        let height = height_to_fall(simulation.particles(), simulation.gravity(), side);
+        let height = height_to_fall(simulation, side);
         let movable = start.kinetic + start.elastic + height;
         Self::continued(simulation, side, soft, Memory { start, movable, grown_at: None })
     }
@@ -114,7 +113,9 @@ impl Guard {
         memory: Memory,
     ) -> Self {
         let Memory { start, movable, grown_at } = memory;
-        Self { side, soft, start, movable, kept: simulation.state(), looks: 0, grown_at }
+        let mut kept = KeptState::default();
+        simulation.keep(&mut kept);
+        Self { side, soft, start, movable, kept, looks: 0, grown_at }
     }
 
     /// What another guard must know to go on.
@@ -152,7 +153,7 @@ impl Guard {
             None => {
                 self.looks += 1;
                 if self.looks % LOOKS_PER_STATE == 0 {
-                    self.kept = simulation.state();
+                    simulation.keep(&mut self.kept);
                 }
                 None
             }
@@ -172,34 +173,37 @@ impl Guard {
         at_last: Wrong,
         grown_at: Option<u64>,
     ) -> Option<Trouble> {
-        let seen = simulation.state();
+        let mut seen = KeptState::default();
+        simulation.keep(&mut seen);
         let last_good = self.last_good_step(simulation, seen.steps());
         if at_last == Wrong::EnergyGrown && grown_at.is_some_and(|step| last_good >= step) {
-            simulation.set_state(&seen);
-            (self.kept, self.grown_at) = (seen.clone(), Some(seen.steps()));
+            simulation.go_back(&seen);
+            self.grown_at = Some(seen.steps());
+            self.kept = seen;
             return None;
         }
-        simulation.set_state(&self.kept);
+        simulation.go_back(&self.kept);
         while simulation.steps() < last_good {
             simulation.step();
         }
-        let before = simulation.state();
+        let mut before = KeptState::default();
+        simulation.keep(&mut before);
         let energy_before = MechanicalEnergy::of(simulation).total();
         simulation.step();
         // A change from outside, or a force that remembers more than the state, may not come by the
         // trouble again: then what was seen holds.
         let wrong = self.wrong(simulation).unwrap_or_else(|| {
-            simulation.set_state(&seen);
+            simulation.go_back(&seen);
             at_last
         });
         let trouble = self.trouble(wrong, simulation, energy_before);
-        simulation.set_state(&before);
+        simulation.go_back(&before);
         Some(trouble)
     }
 
     /// The last step before `end` after which nothing was wrong; that of the state kept at least.
     fn last_good_step(&self, simulation: &mut Simulation, end: u64) -> u64 {
-        simulation.set_state(&self.kept);
+        simulation.go_back(&self.kept);
         let mut last_good = simulation.steps();
         while simulation.steps() + 1 < end {
             simulation.step();
@@ -291,13 +295,14 @@ fn dissipated(simulation: &Simulation) -> Option<f64> {
 
 /// What gravity can give the discs until the wall ends their fall, J; without walls nothing is
 /// known of that.
-fn height_to_fall(particles: &[Particle], gravity: DVec2, side: Option<f64>) -> f64 {
+fn height_to_fall(simulation: &Simulation, side: Option<f64>) -> f64 {
+    let gravity = simulation.gravity();
     let side = side.unwrap_or(0.0);
     let along = |g: f64, x: f64| g.abs() * if g > 0.0 { side - x } else { x };
     let of_disc = |disc: &Particle| {
         disc.mass * (along(gravity.x, disc.position.x) + along(gravity.y, disc.position.y))
     };
-    if side > 0.0 { sum_over(particles, of_disc).max(0.0) } else { 0.0 }
+    if side > 0.0 { simulation.sum_over(of_disc).max(0.0) } else { 0.0 }
 }
 
 /// The fastest disc; one whose speed is no number comes first.
@@ -333,6 +338,8 @@ fn deepest_pair(particles: &[Particle]) -> (Vec<usize>, Option<&'static str>, f6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::discs::PlainDiscs;
+    use crate::integrator::SymplecticEuler;
 
     #[test]
     fn gravity_can_give_what_lies_on_its_way_to_the_wall() {
@@ -345,9 +352,11 @@ mod tests {
         ];
         for (gravity, way) in cases {
             let disc = Particle::at_rest(DVec2::new(0.01, 0.03), 1e-4, 1e-3);
-            let height = height_to_fall(&[disc], gravity, Some(0.04));
+            let discs = PlainDiscs::new(vec![disc], gravity, Vec::new());
+            let simulation = Simulation::of(Box::new(discs), Box::new(SymplecticEuler), 1e-5);
+            let height = height_to_fall(&simulation, Some(0.04));
             assert!((height - 1e-3 * 9.81 * way).abs() < 1e-15, "{gravity}: {height}");
-            assert_eq!(height_to_fall(&[disc], gravity, None), 0.0);
+            assert_eq!(height_to_fall(&simulation, None), 0.0);
         }
     }
 }

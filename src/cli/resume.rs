@@ -21,6 +21,7 @@ use crate::output::recorder::Recorder;
 use crate::scenario::Scenario;
 use crate::scenario::quantity::{Number, Quantity, Time};
 use crate::scenario::settings::Settings;
+use crate::simulation::state::Array;
 use crate::simulation::{Simulation, State};
 
 pub(super) const EXAMPLES: &str = "\
@@ -96,10 +97,11 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let from = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     let from = from.unwrap_or(Path::new("."));
     let checkpoint = Checkpoint::read(&file).map_err(|why| unreadable(&file, &why))?;
-    let Checkpoint { scenario: text, progress, arrays } = &checkpoint;
+    let Checkpoint { scenario: text, progress, arrays } = checkpoint;
+    let progress = &progress;
     let changes = arguments.changes(from);
-    let (scenario, has_new_end) = Scenario::continued(text, arrays, &progress.written, changes)?;
-    let simulation = simulation(&scenario, &checkpoint)
+    let (scenario, has_new_end) = Scenario::continued(&text, &arrays, &progress.written, changes)?;
+    let simulation = simulation(&scenario, progress, arrays)
         .map_err(|why| refusal(&file, format!("cannot resume from {}: {why}", file.display())))?;
     check_end(&scenario, progress)?;
     interrupt.finish_files_first();
@@ -122,10 +124,15 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     conclude(stepping, &interrupt)
 }
 
-/// The simulation of `scenario` in the state of the `checkpoint`, or why they do not fit.
-fn simulation(scenario: &Scenario, checkpoint: &Checkpoint) -> Result<Simulation, String> {
-    let Checkpoint { progress, arrays, .. } = checkpoint;
-    let state = State::from_arrays(arrays)?;
+/// The simulation of `scenario` in the state that the checkpoint of this `progress` has in its `arrays`, or
+/// why they do not fit.
+fn simulation(
+    scenario: &Scenario,
+    progress: &Progress,
+    arrays: Vec<(String, Array)>,
+) -> Result<Simulation, String> {
+    let state = State::from_arrays(&arrays)?;
+    drop(arrays); // of a million discs they are many
     let particles = state.particles();
     let (n, said) = (particles.len(), scenario.n());
     if n != said {

@@ -20,7 +20,7 @@ use crate::output::summary::Summary;
 use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
-use crate::simulation::{Simulation, time_step};
+use crate::simulation::time_step;
 
 #[derive(Args, Clone)]
 pub(super) struct RunArguments {
@@ -42,13 +42,16 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     }
     let interrupt = Interrupt::listen();
     let spinner = placing_spinner(scenario.output.quiet);
-    let mut simulation = scenario.build()?;
+    let discs = scenario.place()?;
+    // What the discs at the start have to say, before they are handed over: a crowd stores them anew.
+    let record = scenario.record(&discs);
+    let notes = if scenario.output.quiet { Vec::new() } else { scenario.notes(&discs) };
+    let mut simulation = scenario.build_of(discs);
     spinner.finish_and_clear();
     interrupt.finish_files_first();
-    let record = scenario.record(simulation.particles());
     let plan = OutputPlan { record, ..scenario.output_plan() };
     let recorder = Recorder::create(&plan, &mut simulation)?;
-    say_notes(&scenario, &simulation, seed_was_drawn);
+    say_notes(&scenario, &notes, seed_was_drawn);
     let origin = Origin { command: typed::words(), overlap: simulation.largest_overlap() };
     conclude(Stepping::begin(&scenario, simulation, recorder, origin), &interrupt)
 }
@@ -112,14 +115,14 @@ fn drawn_seed() -> u64 {
     u64::from(drawn.unwrap_or_else(|_| std::process::id()))
 }
 
-fn say_notes(scenario: &Scenario, simulation: &Simulation, seed_was_drawn: bool) {
+fn say_notes(scenario: &Scenario, notes: &[String], seed_was_drawn: bool) {
     if !scenario.output.quiet {
         if seed_was_drawn {
             let seed = scenario.seed;
             let _ =
                 writeln!(io::stderr(), "note: seed {seed}, drawn; --seed {seed} repeats this run");
         }
-        for note in scenario.notes(simulation.particles()) {
+        for note in notes {
             let _ = writeln!(io::stderr(), "note: {note}"); // a closed stderr is no failure
         }
     }

@@ -74,8 +74,14 @@ impl Near {
 
     /// A list for discs to which `snapshot` goes back. They lie about where they were listed, so the skin
     /// is twice as wide; the next list is made at the same step as the first time.
-    pub fn restore(&mut self, snapshot: &Snapshot, ids: &[u32], planes: &[HalfPlane]) {
-        let Snapshot { particles, listed_at, skin, limit_squared, .. } = snapshot;
+    pub fn restore(
+        &mut self,
+        snapshot: &Snapshot,
+        particles: &[Particle],
+        ids: &[u32],
+        planes: &[HalfPlane],
+    ) {
+        let Snapshot { listed_at, skin, limit_squared, .. } = snapshot;
         self.skin = *skin;
         self.limit_squared = *limit_squared;
         self.listed_at.clone_from(listed_at);

@@ -5,6 +5,7 @@ use std::path::Path;
 use glam::DVec2;
 
 use super::error::ScenarioError;
+use super::framed::FramedDiscs;
 use super::settings::Settings;
 use super::{DiscSource, Scenario, file};
 use crate::output::recorder::OutputPlan;
@@ -22,7 +23,7 @@ impl Scenario {
     /// time the run goes on.
     pub fn arrays(&self) -> Vec<(String, Array)> {
         let DiscSource::Frame { discs, .. } = &self.discs else { return Vec::new() };
-        let of_disc = |p: &Particle| {
+        let of_disc = |p: Particle| {
             [p.position.x, p.position.y, p.velocity.x, p.velocity.y, p.radius, p.mass]
         };
         let numbers = discs.iter().flat_map(of_disc).collect();
@@ -48,7 +49,7 @@ impl Scenario {
         }
         let frame = arrays.iter().find(|(name, _)| name == FRAME).map(|(_, array)| match array {
             Array::Numbers(numbers) => numbers.chunks_exact(PER_DISC).map(disc).collect(),
-            Array::Counts(_) => Vec::new(),
+            Array::Counts(_) => FramedDiscs::default(),
         });
         Ok((Self::resolve_with(&settings, || 0, frame)?, has_new_end))
     }

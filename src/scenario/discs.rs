@@ -1,8 +1,11 @@
 //! Which discs a run has, as said: so many equal ones, listed ones and groups, or a frame.
 
+use std::sync::Arc;
+
 use glam::DVec2;
 
 use super::error::ScenarioError;
+use super::framed::FramedDiscs;
 use super::range::{finite, not_negative, positive, radius_in, whole};
 use super::resolve::si;
 use super::settings::{DiscSettings, PopulationSettings, Settings};
@@ -20,12 +23,13 @@ impl Scenario {
         &mut self,
         settings: &Settings,
         usual: usize,
-        frame: Option<Vec<Particle>>,
+        frame: Option<FramedDiscs>,
     ) -> Result<(), ScenarioError> {
         let (discs, groups) = (&settings.discs, &settings.populations);
         self.discs = if let (Some(said), Some(discs)) = (&settings.start, frame) {
             let has_velocities = settings.speed.is_none(); // else they are asked for
-            DiscSource::Frame { said: said.clone(), discs, has_velocities }
+            let (said, discs) = (said.clone(), Arc::new(discs));
+            DiscSource::Frame { said, discs, has_velocities }
         } else if let Some(said) = &settings.start {
             let (frame, side) = start::read(said, self, settings)?;
             if let (None, Some(side)) = (settings.side, side) {

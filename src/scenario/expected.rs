@@ -1,11 +1,10 @@
 //! What can be expected of a run before it: speeds, overlaps, how long a contact lasts.
 
-use super::{DiscSource, Population, Scenario};
+use super::{DiscSource, Scenario};
 use crate::analysis::collision::{
     angular_frequency, damping_ratio, largest_overlap, restitution, scaled_duration,
 };
 use crate::analysis::stability::Species;
-use crate::particle::Particle;
 
 /// What one kind of contact, a pair's or a wall's, will be like.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,15 +143,19 @@ impl Scenario {
     /// The largest speed to expect of the discs' own motion, m/s: discs that are many exchange
     /// theirs, and twice the rms speed is then common (2 % of Maxwell's distribution in 2D).
     pub(super) fn fastest_start(&self) -> f64 {
-        let (listed, groups): (&[Particle], &[Population]) = match &self.discs {
-            DiscSource::Equal(_) => (&[], &[]),
-            DiscSource::Listed(listed, groups) => (listed, groups),
-            DiscSource::Frame { discs, .. } => (discs, &[]),
-        };
         let tail = if self.n() > 2 { 2.0 } else { 1.0 };
-        let listed = listed.iter().map(|disc| disc.velocity.length());
-        let placed = groups.iter().map(|group| tail * group.speed);
-        listed.chain(placed).fold(tail * self.speed, f64::max)
+        let usual = tail * self.speed;
+        match &self.discs {
+            DiscSource::Equal(_) => usual,
+            DiscSource::Listed(listed, groups) => {
+                let listed = listed.iter().map(|disc| disc.velocity.length());
+                let placed = groups.iter().map(|group| tail * group.speed);
+                listed.chain(placed).fold(usual, f64::max)
+            }
+            DiscSource::Frame { discs, .. } => {
+                discs.iter().map(|disc| disc.velocity.length()).fold(usual, f64::max)
+            }
+        }
     }
 
     /// The damping ratio zeta of a contact of this reduced mass, kg.

@@ -83,7 +83,8 @@ impl Scenario {
 
     fn note_on_stillness(&self, discs: &[Particle]) -> Option<String> {
         let all_rest = discs.iter().all(|disc| disc.velocity.length_squared() == 0.0);
-        (self.gravity == 0.0 && !discs.is_empty() && all_rest && self.overlaps(discs).is_empty())
+        let touches = || self.deepest_overlap(discs, |overlap| overlap.relative).1 > 0;
+        (self.gravity == 0.0 && !discs.is_empty() && all_rest && !touches())
             .then(|| "no disc moves: no gravity, no speed, no contact; try --speed 0.1".to_owned())
     }
 
@@ -104,16 +105,14 @@ impl Scenario {
         if matches!(self.discs, DiscSource::Equal(_)) || self.start_finding().is_some() {
             return None; // nothing overlaps, or it has been told
         }
-        let overlaps = self.overlaps(discs);
-        let deepest = overlaps.iter().max_by(|a, b| a.relative.total_cmp(&b.relative))?;
+        let (deepest, many) = self.deepest_overlap(discs, |overlap| overlap.relative);
+        let deepest = deepest?;
         // Touching discs that rounding made overlap by a hair are nothing to tell.
         (deepest.relative > 1e-6).then(|| {
             let other = deepest.other.map_or("a wall".to_owned(), |other| format!("disc {other}"));
             format!(
-                "{} overlaps at the start; the deepest, disc {} and {other}, is {:.3} r",
-                overlaps.len(),
-                deepest.disc,
-                deepest.relative
+                "{many} overlaps at the start; the deepest, disc {} and {other}, is {:.3} r",
+                deepest.disc, deepest.relative
             )
         })
     }

@@ -12,9 +12,9 @@ use crate::particle::{Contact, Particle};
 const TOUCHING: f64 = 1e-3;
 
 impl Scenario {
-    /// All overlaps of `discs` with each other and with the walls.
-    pub(super) fn overlaps(&self, discs: &[Particle]) -> Vec<Overlap> {
-        let mut overlaps = Vec::new();
+    /// Shows `look` every overlap of `discs` with each other and with the walls. In a bed there are more
+    /// overlaps than discs, so they are not kept.
+    pub(super) fn each_overlap(&self, discs: &[Particle], mut look: impl FnMut(Overlap)) {
         let planes = HalfPlane::square(self.side);
         let planes = if self.walls { &planes[..] } else { &[] };
         for (disc, p) in discs.iter().enumerate() {
@@ -24,13 +24,7 @@ impl Scenario {
                     let relative = contact.overlap / p.radius;
                     let parting_speed = self.parting_speed(&contact);
                     let (other, centres_coincide) = (None, false);
-                    overlaps.push(Overlap {
-                        disc,
-                        other,
-                        relative,
-                        centres_coincide,
-                        parting_speed,
-                    });
+                    look(Overlap { disc, other, relative, centres_coincide, parting_speed });
                 }
             }
         }
@@ -42,10 +36,26 @@ impl Scenario {
                 let centres_coincide = discs[i].position == discs[j].position;
                 let (disc, other) = (i, Some(j));
                 let parting_speed = self.parting_speed(&contact);
-                overlaps.push(Overlap { disc, other, relative, centres_coincide, parting_speed });
+                look(Overlap { disc, other, relative, centres_coincide, parting_speed });
             }
         }
-        overlaps
+    }
+
+    /// The overlap of `discs` that is largest by `measure`, the last of equal ones, and how many there are.
+    pub(super) fn deepest_overlap(
+        &self,
+        discs: &[Particle],
+        measure: fn(&Overlap) -> f64,
+    ) -> (Option<Overlap>, usize) {
+        let (mut deepest, mut many) = (None, 0);
+        self.each_overlap(discs, |overlap| {
+            many += 1;
+            let is_deeper = |than: &Overlap| measure(&overlap).total_cmp(&measure(than)).is_ge();
+            if deepest.as_ref().is_none_or(is_deeper) {
+                deepest = Some(overlap);
+            }
+        });
+        (deepest, many)
     }
 
     /// The speed at which an undamped spring would part the bodies, m/s.
@@ -56,16 +66,15 @@ impl Scenario {
     /// Discs whose places were said and whose overlap will throw them apart faster than anything else
     /// in the run moves.
     pub(super) fn start_finding(&self) -> Option<Finding> {
-        let discs = match &self.discs {
+        let by_speed = |overlap: &Overlap| overlap.parting_speed;
+        let (deepest, _) = match &self.discs {
             DiscSource::Equal(_) => return None,
-            DiscSource::Listed(listed, _) => listed,
-            DiscSource::Frame { discs, .. } => discs,
+            DiscSource::Listed(listed, _) => self.deepest_overlap(listed, by_speed),
+            DiscSource::Frame { discs, .. } => {
+                self.deepest_overlap(&discs.iter().collect::<Vec<_>>(), by_speed)
+            }
         };
-        let deepest = self
-            .overlaps(discs)
-            .into_iter()
-            .max_by(|a, b| a.parting_speed.total_cmp(&b.parting_speed))
-            .filter(|deepest| deepest.relative > TOUCHING)?;
+        let deepest = deepest.filter(|deepest| deepest.relative > TOUCHING)?;
         let (disc, relative) = (deepest.disc, Num::rounded(deepest.relative));
         let speed = deepest.parting_speed;
         let (who, whom) = match deepest.other {

@@ -14,11 +14,13 @@ use crate::simulation::place_discs;
 
 impl Scenario {
     /// The discs at t = 0, placed and checked.
-    pub(super) fn place(&self) -> Result<Vec<Particle>, ScenarioError> {
+    pub fn place(&self) -> Result<Vec<Particle>, ScenarioError> {
         self.check_area()?;
-        let (fixed, groups) = self.fixed_and_groups();
-        self.check_overlaps(&fixed)?;
-        let fixed = fixed.len();
+        let (fixed, groups) = {
+            let (fixed, groups) = self.fixed_and_groups();
+            self.check_overlaps(&fixed)?;
+            (fixed.len(), groups) // a million discs need not be kept twice
+        };
         let mut particles = self.placed(self.seed).map_err(|why| self.box_too_full(why))?;
         // Directions have a stream of random numbers of their own.
         let mut generator = placement::generator(!self.seed);
@@ -64,7 +66,7 @@ impl Scenario {
         match &self.discs {
             DiscSource::Equal(n) => (Vec::new(), vec![equal(*n)]),
             DiscSource::Listed(listed, groups) => (listed.clone(), groups.clone()),
-            DiscSource::Frame { discs, .. } => (discs.clone(), Vec::new()),
+            DiscSource::Frame { discs, .. } => (discs.iter().collect(), Vec::new()),
         }
     }
 
@@ -105,40 +107,46 @@ impl Scenario {
     /// Refuses coincident centres and overlaps of more than one radius: the contact force would
     /// throw such discs apart. Smaller overlaps are told in the notes.
     fn check_overlaps(&self, discs: &[Particle]) -> Result<(), ScenarioError> {
-        for Overlap { disc, other, relative, centres_coincide, .. } in self.overlaps(discs) {
-            let what = match other {
-                Some(other) if centres_coincide => {
-                    format!("discs {disc} and {other} have the same centre")
-                }
-                Some(other) if relative > 1.0 => {
-                    let relative = Num::rounded(relative);
-                    format!("discs {disc} and {other} overlap by {relative} radii (at most 1)")
-                }
-                None if relative >= 1.0 => {
-                    let DVec2 { x, y } = discs[disc].position;
-                    let where_ = if relative > 1.0 { "outside the box" } else { "on a wall" };
-                    format!(
-                        "disc {disc} has its centre {where_} ({x} m, {y} m; side {} m)",
-                        self.side
-                    )
-                }
-                _ => continue,
-            };
-            let way_out = match (&self.discs, other) {
-                (DiscSource::Frame { .. }, _) => {
-                    "an earlier frame, --start FILE:K; harder discs (--preset guide-listing, or a \
-                     larger --kn) do not sink in so far"
-                }
-                (_, Some(_)) => "move the discs apart, or give them a smaller radius",
-                (_, None) => "put it inside, between 0 and the side, or use a larger --side",
-            };
-            let who = match other {
-                Some(other) => format!("discs {disc} and {other}: position"),
-                None => format!("disc {disc}: position"),
-            };
-            return Err(ScenarioError::BadOverlap { who, what, way_out: way_out.to_owned() });
-        }
-        Ok(())
+        let mut refused = None;
+        self.each_overlap(discs, |overlap| {
+            if refused.is_none() {
+                refused = self.refuse_overlap(discs, &overlap);
+            }
+        });
+        refused.map_or(Ok(()), Err)
+    }
+
+    /// Why these two may not overlap so, if they may not.
+    fn refuse_overlap(&self, discs: &[Particle], overlap: &Overlap) -> Option<ScenarioError> {
+        let Overlap { disc, other, relative, centres_coincide, .. } = *overlap;
+        let what = match other {
+            Some(other) if centres_coincide => {
+                format!("discs {disc} and {other} have the same centre")
+            }
+            Some(other) if relative > 1.0 => {
+                let relative = Num::rounded(relative);
+                format!("discs {disc} and {other} overlap by {relative} radii (at most 1)")
+            }
+            None if relative >= 1.0 => {
+                let DVec2 { x, y } = discs[disc].position;
+                let where_ = if relative > 1.0 { "outside the box" } else { "on a wall" };
+                format!("disc {disc} has its centre {where_} ({x} m, {y} m; side {} m)", self.side)
+            }
+            _ => return None,
+        };
+        let way_out = match (&self.discs, other) {
+            (DiscSource::Frame { .. }, _) => {
+                "an earlier frame, --start FILE:K; harder discs (--preset guide-listing, or a \
+                 larger --kn) do not sink in so far"
+            }
+            (_, Some(_)) => "move the discs apart, or give them a smaller radius",
+            (_, None) => "put it inside, between 0 and the side, or use a larger --side",
+        };
+        let who = match other {
+            Some(other) => format!("discs {disc} and {other}: position"),
+            None => format!("disc {disc}: position"),
+        };
+        Some(ScenarioError::BadOverlap { who, what, way_out: way_out.to_owned() })
     }
 
     /// A placement error with ways out, each tried before it is offered.

@@ -2,12 +2,12 @@
 
 use super::error::ScenarioError;
 use super::exclusive;
+use super::framed::FramedDiscs;
 use super::number::Num;
 use super::quantity::Quantity;
 use super::range::{finite, not_negative, positive, whole};
 use super::settings::{DtSetting, Settings};
 use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Scenario, StepChoice};
-use crate::particle::Particle;
 
 impl Scenario {
     /// Fills in what `settings` leave open from the preset and checks everything that can be
@@ -23,7 +23,7 @@ impl Scenario {
     pub(super) fn resolve_with(
         settings: &Settings,
         draw_seed: impl FnOnce() -> u64,
-        frame: Option<Vec<Particle>>,
+        frame: Option<FramedDiscs>,
     ) -> Result<Self, ScenarioError> {
         exclusive::check(settings)?;
         let preset = settings.preset.unwrap_or_default();

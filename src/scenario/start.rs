@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::BufReader;
+use std::sync::Arc;
 
 use super::error::ScenarioError;
 use super::settings::Settings;
@@ -43,6 +44,6 @@ pub(super) fn read(
         disc.velocity = row.velocity.unwrap_or_default();
         disc
     };
-    let discs = rows.into_iter().map(disc).collect();
+    let discs = Arc::new(rows.into_iter().map(disc).collect());
     Ok((DiscSource::Frame { said: said.to_owned(), discs, has_velocities }, side))
 }

@@ -1,5 +1,7 @@
 //! Which parameter is at fault: the first that, put back to its usual value, mends the run.
 
+use std::sync::Arc;
+
 use glam::DVec2;
 
 use super::number::Num;
@@ -73,8 +75,11 @@ impl Scenario {
             }
             DiscSource::Frame { said, discs, has_velocities } => {
                 let with = |change: fn(&mut Particle, &Self)| {
-                    let mut discs = discs.clone();
-                    discs.iter_mut().for_each(|disc| change(disc, self));
+                    let changed = discs.iter().map(|mut disc| {
+                        change(&mut disc, self);
+                        disc
+                    });
+                    let discs = Arc::new(changed.collect());
                     let (said, has_velocities) = (said.clone(), *has_velocities);
                     self.with_discs(DiscSource::Frame { said, discs, has_velocities })
                 };

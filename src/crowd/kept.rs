@@ -1,0 +1,134 @@
+//! What a crowd keeps of itself to come back to within a run: half of a [`Snapshot`].
+//!
+//! Radii and masses stay what they are, and springs' forces follow from where the discs are. Forces
+//! follow too, unless velocities have changed since (velocity Verlet).
+
+use glam::DVec2;
+
+use super::cells::put_in_order;
+use super::motion::Move;
+use super::{Crowd, LaneLaw};
+use crate::discs::{Discs, Kept, Snapshot};
+use crate::particle::Particle;
+
+/// What the discs have done since the forces in them were added up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Since {
+    /// Nothing.
+    Still,
+    /// Their velocities have changed.
+    Kicked,
+    /// More than that, or nobody knows what.
+    Unknown,
+}
+
+impl Since {
+    /// The same with `moves` after it.
+    pub fn and_then(self, moves: &[Move]) -> Self {
+        let is_kick = |to_do: &Move| matches!(to_do, Move::Kick(_));
+        match self {
+            _ if moves.is_empty() => self,
+            Self::Still | Self::Kicked if moves.iter().all(is_kick) => Self::Kicked,
+            _ => Self::Unknown,
+        }
+    }
+}
+
+/// A disc whose size was changed by hand, and what it was.
+pub(super) struct Resized {
+    id: u32,
+    radius: f64, // m
+    mass: f64,   // kg
+}
+
+impl Resized {
+    /// The change of the disc `id`, if there was one.
+    pub fn between(id: u32, was: &Particle, is: &Particle) -> Option<Self> {
+        let Particle { radius, mass, .. } = *was;
+        ((radius, mass) != (is.radius, is.mass)).then_some(Self { id, radius, mass })
+    }
+}
+
+impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
+    pub(super) fn keep_in(&self, kept: &mut Kept) {
+        let has_list = self.near.limit_squared >= 0.0;
+        if self.since_forces == Since::Unknown || !has_list {
+            *kept = Kept::default(); // gone before the next is made
+            kept.snapshot = self.snapshot();
+            return;
+        }
+        let Kept { snapshot, moving, forces, has_ledger, resized } = kept;
+        if moving.is_empty() {
+            *snapshot = Snapshot::default(); // a whole one
+        }
+        snapshot.ids.clone_from(&self.ids);
+        snapshot.listed_at.clone_from(&self.near.listed_at);
+        snapshot.skin = self.near.skin;
+        snapshot.limit_squared = self.near.limit_squared;
+        snapshot.tally = self.tally.clone();
+        snapshot.works = self.works.unwrap_or_default();
+        *has_ledger = self.works.is_some();
+        *resized = self.resized.len();
+        moving.clear();
+        moving.extend(self.particles.iter().map(|p| [p.position, p.velocity]));
+        forces.clear();
+        if self.since_forces == Since::Kicked {
+            forces.extend(self.particles.iter().map(|p| p.force));
+        }
+    }
+
+    pub(super) fn go_back_to(&mut self, kept: &Kept) {
+        let Kept { snapshot, moving, forces, has_ledger, resized } = kept;
+        if moving.is_empty() {
+            return self.restore(snapshot);
+        }
+        self.moves.clear();
+        self.forces_are_new = false;
+        self.store_as(&snapshot.ids);
+        self.undo_resizing(*resized);
+        for (disc, [position, velocity]) in self.particles.iter_mut().zip(moving) {
+            (disc.position, disc.velocity) = (*position, *velocity);
+        }
+        self.works = has_ledger.then_some(snapshot.works);
+        self.springs.resize(if *has_ledger { self.ids.len() } else { 0 }, DVec2::ZERO);
+        self.near.restore(snapshot, &self.particles, &self.ids, &self.planes);
+        self.add_up_forces();
+        if !forces.is_empty() {
+            self.particles.iter_mut().zip(forces).for_each(|(disc, force)| disc.force = *force);
+            self.forces_are_new = false;
+            self.since_forces = Since::Kicked;
+        }
+        self.carry_out();
+        self.tally = snapshot.tally.clone();
+        self.in_id_order.take();
+        self.places.take();
+    }
+
+    /// Stores the discs in the order of `ids`.
+    fn store_as(&mut self, ids: &[u32]) {
+        let mut places = vec![0; ids.len()];
+        for (place, &id) in (0..).zip(&self.ids) {
+            places[id as usize] = place;
+        }
+        let mut order: Vec<u32> = ids.iter().map(|&id| places[id as usize]).collect();
+        put_in_order(&mut order, |a, b| {
+            self.particles.swap(a, b);
+            self.ids.swap(a, b);
+        });
+    }
+
+    /// Takes back the changes of sizes after the first `kept`, the last first.
+    fn undo_resizing(&mut self, kept: usize) {
+        if self.resized.len() <= kept {
+            return;
+        }
+        let mut places = vec![0; self.ids.len()];
+        for (place, &id) in self.ids.iter().enumerate() {
+            places[id as usize] = place;
+        }
+        for Resized { id, radius, mass } in self.resized.drain(kept..).rev() {
+            let disc = &mut self.particles[places[id as usize]];
+            (disc.radius, disc.mass) = (radius, mass);
+        }
+    }
+}
