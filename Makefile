@@ -7,7 +7,7 @@ $(EXEC): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	$(CARGO) build --release
 	cp target/release/parsim2d $(EXEC)
 
-.PHONY: run live plot test check kill-test corruption-test disk-full-test bench scaling costs peers clean
+.PHONY: run live plot test check hash-matrix kill-test corruption-test disk-full-test bench scaling costs peers clean
 run: $(EXEC)            # simulate; writes out.txt, trajectory.txt, energy.csv
 	./$(EXEC) $(ARGS)
 
@@ -24,6 +24,10 @@ test:                   # all tests
 
 check:                  # what CI checks
 	bash .ci/run
+
+hash-matrix: $(EXEC)    # same bits on 1 to 8 threads, for dev and release builds, for any output
+	$(CARGO) build
+	sh tests/hash_matrix.sh target/debug/parsim2d ./$(EXEC)
 
 kill-test:              # 200 kills with SIGKILL at random moments; each run must end with the same bytes
 	PARSIM2D_KILLS=200 $(CARGO) test --test restart killed -- --nocapture
