@@ -4,10 +4,13 @@
 //! In a file of many frames two blank lines stand *before* every frame but the first, which is
 //! what gnuplot's `index` counts (a trailing gap would add a phantom frame).
 
+mod rows;
+
 use std::io::{self, BufRead, Read, Write};
 
 use glam::DVec2;
 
+pub(super) use self::rows::write_rows;
 use super::number::push_g9;
 use crate::simulation::Simulation;
 
@@ -32,6 +35,34 @@ impl Columns {
     }
 }
 
+/// What the head of a frame says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Head {
+    /// Steps done.
+    pub step: u64,
+    /// Simulated time, s.
+    pub time: f64,
+    /// Number of discs.
+    pub n: usize,
+    /// Side of the box, m.
+    pub side: f64,
+}
+
+impl Head {
+    /// The head of a frame of the present state in a box of `side` (m).
+    pub fn of(simulation: &Simulation, side: f64) -> Self {
+        Self { step: simulation.steps(), time: simulation.time(), n: simulation.n(), side }
+    }
+
+    fn push(self, text: &mut Vec<u8>, columns: Columns) {
+        text.extend(format!("# step {} time_s ", self.step).as_bytes());
+        push_g9(text, self.time);
+        text.extend(format!(" n {} side_m ", self.n).as_bytes());
+        push_g9(text, self.side);
+        text.extend(format!(" columns {}\n", columns.names()).as_bytes());
+    }
+}
+
 /// Writes the present state as one frame of a box of `side` (m), rows in id order.
 pub fn write_frame(
     out: &mut impl Write,
@@ -39,24 +70,18 @@ pub fn write_frame(
     side: f64,
     columns: Columns,
 ) -> io::Result<()> {
-    let mut text = Vec::new();
-    text.extend(format!("# step {} time_s ", simulation.steps()).as_bytes());
-    push_g9(&mut text, simulation.time());
-    text.extend(format!(" n {} side_m ", simulation.n()).as_bytes());
-    push_g9(&mut text, side);
-    writeln!(text, " columns {}", columns.names())?;
-    out.write_all(&text)?;
-    for disc in simulation.each_particle() {
-        text.clear();
-        push_row(&mut text, &[disc.position.x, disc.position.y, disc.radius]);
-        if columns == Columns::PositionsAndVelocities {
-            text.push(b' ');
-            push_row(&mut text, &[disc.velocity.x, disc.velocity.y]);
+    let head = Head::of(simulation, side);
+    let discs = simulation.each_particle();
+    match columns {
+        Columns::Positions => {
+            write_rows(out, head, columns, discs.map(|p| [p.position.x, p.position.y, p.radius]))
         }
-        text.push(b'\n');
-        out.write_all(&text)?;
+        Columns::PositionsAndVelocities => {
+            let rows =
+                discs.map(|p| [p.position.x, p.position.y, p.radius, p.velocity.x, p.velocity.y]);
+            write_rows(out, head, columns, rows)
+        }
     }
-    Ok(())
 }
 
 /// Writes the guide's border: fictitious discs of about `radius` (m) that touch the box of `side`
