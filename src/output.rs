@@ -10,6 +10,7 @@ pub mod failure;
 pub mod frames;
 pub mod growing;
 pub mod live;
+pub mod live_writer;
 pub mod marks;
 pub mod number;
 pub mod record;

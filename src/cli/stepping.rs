@@ -60,7 +60,8 @@ impl<'a> Stepping<'a> {
         last: Option<u64>,
     ) -> Self {
         let output = &scenario.output;
-        let watch = Watch::start(&simulation, scenario.steps(), output.slowdown, output.quiet);
+        let mut watch = Watch::start(&simulation, scenario.steps(), output.slowdown, output.quiet);
+        watch.share_cores(scenario.threads());
         let keeper = Keeper::new(scenario, last);
         Self { scenario, simulation, watch, failure: None, origin, keeper, recorder, guard }
     }

@@ -9,8 +9,8 @@ use crate::simulation::Simulation;
 /// At most so many refreshes of `out.txt` a second.
 const REFRESHES_PER_SECOND: f64 = 60.0;
 
-/// A refresh waits at least so many times as long as the last one took, so that showing a large
-/// run costs it at most a twentieth of its time.
+/// A refresh waits at least so many times as long as the last one kept the run from stepping, so that
+/// showing a large run costs it at most a twentieth of its time.
 const REST_AFTER_REFRESH: f64 = 20.0;
 
 /// The clock is looked at about every so many particle-steps (a millisecond or less, or one
@@ -21,8 +21,10 @@ const PARTICLE_STEPS_PER_LOOK: u64 = 20_000;
 pub(super) struct Watch {
     started: Instant,
     next_refresh: Instant,
-    /// Wall time that the last refresh took, s.
+    /// Wall time that the last refresh took from the run, s.
     last_refresh: f64,
+    /// Whether what another thread writes takes time from the run.
+    cores_are_shared: bool,
     stepping: Duration,
     /// Step and simulated time (s) at the start of this session.
     from: (u64, f64),
@@ -47,12 +49,19 @@ impl Watch {
             started: now,
             next_refresh: now,
             last_refresh: 0.0,
+            cores_are_shared: true,
             stepping: Duration::ZERO,
             from: (simulation.steps(), simulation.time()),
             slowdown,
             steps_per_look,
             bar,
         }
+    }
+
+    /// The run steps on so many `threads`: where the machine has more cores, writing has one of its own.
+    pub fn share_cores(&mut self, threads: usize) {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        self.cores_are_shared = cores <= threads;
     }
 
     /// The step at which to look at the clock next.
@@ -67,20 +76,27 @@ impl Watch {
         self.stepping += begun.elapsed();
     }
 
-    /// Calls `refresh` if it is due.
-    pub fn refresh_if_due<E>(&mut self, refresh: impl FnOnce() -> Result<(), E>) -> Result<(), E> {
+    /// Calls `refresh` if it is due. It returns how long another thread was busy with the last one, or
+    /// `None` if it still is; then it is due again at once.
+    pub fn refresh_if_due<E>(
+        &mut self,
+        refresh: impl FnOnce() -> Result<Option<Duration>, E>,
+    ) -> Result<(), E> {
         let begun = Instant::now();
         if begun < self.next_refresh {
             return Ok(());
         }
-        refresh()?;
-        let took = begun.elapsed().as_secs_f64();
+        let Some(elsewhere) = refresh()? else { return Ok(()) };
+        let elsewhere = if self.cores_are_shared { elsewhere } else { Duration::ZERO };
+        let took = (begun.elapsed() + elsewhere).as_secs_f64();
         // The shorter of two, so that one slow write does not freeze the view; and a run that
         // waits anyway has time for all.
         let usual = if self.slowdown.is_some() { 0.0 } else { took.min(self.last_refresh) };
         self.last_refresh = took;
-        let pause = (REST_AFTER_REFRESH * usual).max(1.0 / REFRESHES_PER_SECOND);
-        self.next_refresh = begun + Duration::from_secs_f64(pause);
+        let rested = begun + Duration::from_secs_f64(REST_AFTER_REFRESH * usual);
+        // Counted from when this one was due, since a step may end well after that.
+        let regular = self.next_refresh + Duration::from_secs_f64(1.0 / REFRESHES_PER_SECOND);
+        self.next_refresh = regular.max(rested).max(begun);
         Ok(())
     }
 
@@ -140,4 +156,71 @@ pub(super) fn placing_spinner(quiet: bool) -> ProgressBar {
     spinner.set_message("placing the discs");
     spinner.enable_steady_tick(Duration::from_millis(200));
     spinner
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::Scenario;
+    use crate::scenario::settings::Settings;
+
+    const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
+
+    fn watch() -> Watch {
+        let scenario = Scenario::resolve(&Settings::default(), || 1).unwrap();
+        Watch::start(&scenario.build().unwrap(), 1, None, true)
+    }
+
+    /// How long after the second of two refreshes that took `elsewhere` the next is due.
+    fn rest_after(watch: &mut Watch, elsewhere: Duration) -> Duration {
+        for _ in 0..2 {
+            watch.next_refresh = Instant::now();
+            watch.refresh_if_due(|| Ok::<_, ()>(Some(elsewhere))).unwrap();
+        }
+        watch.next_refresh.saturating_duration_since(Instant::now())
+    }
+
+    #[test]
+    fn a_thread_that_shares_the_cores_of_the_run_takes_a_twentieth_of_its_time_at_most() {
+        let mut watch = watch();
+        for (are_shared, least, most) in [(true, 19.0, 21.0), (false, 0.0, 1.0)] {
+            watch.cores_are_shared = are_shared;
+            let rest = rest_after(&mut watch, Duration::from_secs(1)).as_secs_f64();
+            assert!((least..most).contains(&rest), "shared: {are_shared}, {rest} s");
+        }
+        watch.share_cores(usize::MAX);
+        assert!(watch.cores_are_shared);
+        watch.share_cores(0);
+        assert!(!watch.cores_are_shared);
+    }
+
+    #[test]
+    fn a_refresh_that_was_late_does_not_put_off_the_next() {
+        let mut watch = watch();
+        watch.cores_are_shared = false;
+        let due = Instant::now().checked_sub(FRAME / 2).unwrap();
+        watch.next_refresh = due;
+        watch.refresh_if_due(|| Ok::<_, ()>(Some(Duration::ZERO))).unwrap();
+        // To a microsecond: a frame is no whole number of nanoseconds. Where the test itself was held up it
+        // is later, never earlier.
+        assert!(watch.next_refresh >= due + FRAME - Duration::from_micros(1));
+        assert!(watch.next_refresh <= (due + FRAME + Duration::from_micros(1)).max(Instant::now()));
+    }
+
+    #[test]
+    fn a_refresh_that_found_the_writer_busy_is_due_again_at_once() {
+        let mut watch = watch();
+        let mut calls = 0;
+        for answer in [None, None, Some(Duration::ZERO), Some(Duration::ZERO)] {
+            let refresh = || {
+                calls += 1;
+                Ok::<_, ()>(answer)
+            };
+            watch.refresh_if_due(refresh).unwrap();
+            if answer.is_some() {
+                watch.next_refresh = Instant::now() + Duration::from_secs(60);
+            }
+        }
+        assert_eq!(calls, 3, "twice busy, once written; then it rests");
+    }
 }

@@ -4,12 +4,14 @@ pub mod continued;
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::OutputError;
 use super::checkpoint::{self, refuse_foreign};
 use super::energy::EnergyFile;
 use super::failure;
 use super::live::LiveFrame;
+use super::live_writer::LiveWriter;
 use super::record;
 use super::replace::NewFile;
 use super::trajectory::Trajectory;
@@ -39,6 +41,7 @@ pub struct OutputPlan {
 pub struct Recorder {
     plan: OutputPlan,
     live: LiveFrame,
+    live_writer: LiveWriter,
     trajectory: Trajectory,
     energy: Option<(EnergyLedger, EnergyFile)>,
     /// The last step each file has.
@@ -73,9 +76,11 @@ impl Recorder {
             None => None,
         };
         let frames = Trajectory::new(trajectory.writer()?, path("trajectory.txt"), plan.side);
+        let live_frame = LiveFrame { path: path("out.txt"), side: plan.side, border: plan.border };
         let mut recorder = Self {
             plan: plan.clone(),
-            live: LiveFrame { path: path("out.txt"), side: plan.side, border: plan.border },
+            live_writer: LiveWriter::new(live_frame.clone()),
+            live: live_frame,
             trajectory: frames,
             energy: energy_file,
             frame_at: simulation.steps(),
@@ -128,9 +133,14 @@ impl Recorder {
         Ok(())
     }
 
-    /// Writes the present state to `out.txt`.
-    pub fn refresh_live(&self, simulation: &Simulation) -> Result<(), OutputError> {
-        self.live.refresh(simulation)
+    /// Has the present state written to `out.txt` while the run goes on, and returns how long another thread
+    /// was busy with the frame before; `None`, and nothing is done, if it still is. An error may be that
+    /// of the frame before.
+    pub fn refresh_live(
+        &mut self,
+        simulation: &Simulation,
+    ) -> Result<Option<Duration>, OutputError> {
+        self.live_writer.offer(simulation)
     }
 
     /// Gives every file the last state, if it does not have it yet.
@@ -142,6 +152,7 @@ impl Recorder {
             self.append_energy(simulation)?;
         }
         self.flush_energy()?;
+        self.live_writer.wait()?;
         self.live.refresh(simulation)
     }
 

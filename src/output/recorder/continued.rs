@@ -11,6 +11,7 @@ use crate::analysis::energy::EnergyLedger;
 use crate::output::energy::EnergyFile;
 use crate::output::growing::Extent;
 use crate::output::live::LiveFrame;
+use crate::output::live_writer::LiveWriter;
 use crate::output::replace::{NewFile, remove_temporaries};
 use crate::output::trajectory::Trajectory;
 use crate::output::{OutputError, checkpoint, failure, record};
@@ -99,6 +100,7 @@ impl Recorder {
         live.refresh(simulation)?;
         Ok(Self {
             plan: plan.clone(),
+            live_writer: LiveWriter::new(live.clone()),
             live,
             trajectory: frames,
             energy,
