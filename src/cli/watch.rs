@@ -13,6 +13,10 @@ const REFRESHES_PER_SECOND: f64 = 60.0;
 /// showing a large run costs it at most a twentieth of its time.
 const REST_AFTER_REFRESH: f64 = 20.0;
 
+/// What of a refresh another thread does counts so much less where it has a core of its own: it still takes
+/// caches and memory, and that core may turn out to be busy.
+const SPARE_CORE: f64 = 0.2;
+
 /// The clock is looked at about every so many particle-steps (a millisecond or less, or one
 /// step if that takes longer), so that looking costs nothing.
 const PARTICLE_STEPS_PER_LOOK: u64 = 20_000;
@@ -23,7 +27,7 @@ pub(super) struct Watch {
     next_refresh: Instant,
     /// Wall time that the last refresh took from the run, s.
     last_refresh: f64,
-    /// Whether what another thread writes takes time from the run.
+    /// Whether what another thread writes takes all its time from the run.
     cores_are_shared: bool,
     stepping: Duration,
     /// Step and simulated time (s) at the start of this session.
@@ -87,8 +91,8 @@ impl Watch {
             return Ok(());
         }
         let Some(elsewhere) = refresh()? else { return Ok(()) };
-        let elsewhere = if self.cores_are_shared { elsewhere } else { Duration::ZERO };
-        let took = (begun.elapsed() + elsewhere).as_secs_f64();
+        let weight = if self.cores_are_shared { 1.0 } else { SPARE_CORE };
+        let took = begun.elapsed().as_secs_f64() + weight * elsewhere.as_secs_f64();
         // The shorter of two, so that one slow write does not freeze the view; and a run that
         // waits anyway has time for all.
         let usual = if self.slowdown.is_some() { 0.0 } else { took.min(self.last_refresh) };
@@ -181,10 +185,11 @@ mod tests {
     }
 
     #[test]
-    fn a_thread_that_shares_the_cores_of_the_run_takes_a_twentieth_of_its_time_at_most() {
+    fn another_thread_takes_a_twentieth_of_the_time_of_a_run_whose_cores_it_shares() {
         let mut watch = watch();
-        for (are_shared, least, most) in [(true, 19.0, 21.0), (false, 0.0, 1.0)] {
+        for (are_shared, least, most) in [(true, 19.0, 21.0), (false, 3.0, 5.0)] {
             watch.cores_are_shared = are_shared;
+            // Twenty times a second, or a fifth of it; a second more or less, since machines stall.
             let rest = rest_after(&mut watch, Duration::from_secs(1)).as_secs_f64();
             assert!((least..most).contains(&rest), "shared: {are_shared}, {rest} s");
         }

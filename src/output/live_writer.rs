@@ -40,6 +40,17 @@ impl LiveWriter {
         Self { live, thread: None, room: Some(Still::empty()) }
     }
 
+    /// What is written.
+    pub fn frame(&self) -> &LiveFrame {
+        &self.live
+    }
+
+    /// Writes the present state here and now, after what was handed over.
+    pub fn refresh(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+        self.wait()?;
+        self.live.refresh(simulation)
+    }
+
     /// Has the present state written, and returns how long the frame before it took the thread; or does
     /// nothing and returns `None`, if that one is still being written.
     ///

@@ -156,11 +156,11 @@ fn scale(value: f64, power: i32) -> f64 {
 fn eight_digits(number: u32) -> [u8; 8] {
     let number = u64::from(number);
     // The high part goes to the low end: it is what comes first in memory.
-    let fours = number / 10_000 | (number % 10_000) << 32;
+    let fours = (number / 10_000) | ((number % 10_000) << 32);
     let hundreds = ((fours * 5243) >> 19) & 0x0000_007f_0000_007f;
-    let twos = hundreds | (fours - hundreds * 100) << 16;
+    let twos = hundreds | ((fours - hundreds * 100) << 16);
     let tens = ((twos * 103) >> 10) & 0x000f_000f_000f_000f;
-    let ones = tens | (twos - tens * 10) << 8;
+    let ones = tens | ((twos - tens * 10) << 8);
     (ones | ZEROS).to_le_bytes()
 }
 

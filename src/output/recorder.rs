@@ -40,8 +40,7 @@ pub struct OutputPlan {
 /// The files of a run.
 pub struct Recorder {
     plan: OutputPlan,
-    live: LiveFrame,
-    live_writer: LiveWriter,
+    live: LiveWriter,
     trajectory: Trajectory,
     energy: Option<(EnergyLedger, EnergyFile)>,
     /// The last step each file has.
@@ -76,11 +75,10 @@ impl Recorder {
             None => None,
         };
         let frames = Trajectory::new(trajectory.writer()?, path("trajectory.txt"), plan.side);
-        let live_frame = LiveFrame { path: path("out.txt"), side: plan.side, border: plan.border };
+        let frame = LiveFrame { path: path("out.txt"), side: plan.side, border: plan.border };
         let mut recorder = Self {
             plan: plan.clone(),
-            live_writer: LiveWriter::new(live_frame.clone()),
-            live: live_frame,
+            live: LiveWriter::new(frame),
             trajectory: frames,
             energy: energy_file,
             frame_at: simulation.steps(),
@@ -140,7 +138,7 @@ impl Recorder {
         &mut self,
         simulation: &Simulation,
     ) -> Result<Option<Duration>, OutputError> {
-        self.live_writer.offer(simulation)
+        self.live.offer(simulation)
     }
 
     /// Gives every file the last state, if it does not have it yet.
@@ -152,7 +150,6 @@ impl Recorder {
             self.append_energy(simulation)?;
         }
         self.flush_energy()?;
-        self.live_writer.wait()?;
         self.live.refresh(simulation)
     }
 
@@ -166,8 +163,9 @@ impl Recorder {
         self.append_energy(simulation)?;
         self.flush_energy()?;
         let mut out = BufWriter::new(live.writer()?);
-        let failed = |source| OutputError::Write { path: self.live.path.clone(), source };
-        self.live.write(&mut out, simulation).and_then(|()| out.flush()).map_err(failed)
+        let frame = self.live.frame();
+        let failed = |source| OutputError::Write { path: frame.path.clone(), source };
+        frame.write(&mut out, simulation).and_then(|()| out.flush()).map_err(failed)
     }
 
     fn flush_energy(&mut self) -> Result<(), OutputError> {

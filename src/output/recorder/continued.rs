@@ -100,8 +100,7 @@ impl Recorder {
         live.refresh(simulation)?;
         Ok(Self {
             plan: plan.clone(),
-            live_writer: LiveWriter::new(live.clone()),
-            live,
+            live: LiveWriter::new(live),
             trajectory: frames,
             energy,
             frame_at: written.frame_at,
