@@ -167,7 +167,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         }
         let mut blocks: Vec<_> = blocks.collect();
         let share = blocks.len().div_ceil(self.team.threads()).max(1);
-        let mut farthest = vec![0.0; self.team.threads()];
+        let mut farthest = vec![0.0; blocks.len().div_ceil(share)];
         let shares = farthest.iter_mut().map(|farthest| {
             let rest = blocks.split_off(share.min(blocks.len()));
             (farthest, std::mem::replace(&mut blocks, rest))
@@ -238,6 +238,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         });
         self.in_id_order.take();
         self.places.take();
+        // Good for the energy of the present state; the next step stores the discs by cells again.
+        self.near.list_anywhere(&self.particles, &self.ids, &self.planes);
         self.near.forget();
     }
 
@@ -285,7 +287,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
 
     fn update_forces(&mut self) {
         self.carry_out();
-        if self.near.limit_squared < 0.0 {
+        if !self.near.is_there {
             self.list(None);
         }
         self.add_up_forces();

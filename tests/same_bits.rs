@@ -1,12 +1,14 @@
 //! The same bits whatever does the work: the plain way, a crowd, any number of threads, any batches
 //! of steps, looks in between.
 
-use parsim2d::analysis::energy::EnergyLedger;
+use glam::DVec2;
+use parsim2d::analysis::energy::{EnergyLedger, LedgerRow};
+use parsim2d::particle::Particle;
 use parsim2d::scenario::Scenario;
 use parsim2d::simulation::{KeptState, Simulation};
 
 /// Scenes that differ in who touches whom, and how often.
-const SCENES: [(&str, &str, u64); 7] = [
+const SCENES: [(&str, &str, u64); 10] = [
     ("dense", "n = 900\nseed = 1\nradius = 5e-4\nside = 0.04\nspeed = 0.3", 1500),
     ("gas", "n = 1500\nseed = 2\nradius = 1e-4\ngravity = 0\nrestitution = 1\nspeed = 1.5", 1000),
     ("falling", "n = 700\nseed = 3\nradius = 3e-4\nrestitution = 0.7", 6000),
@@ -26,21 +28,51 @@ const SCENES: [(&str, &str, u64); 7] = [
     (
         "clipped",
         "n = 500\nseed = 7\nspeed = 1\nradius = 5e-4\ngamma = 8e2\nno_tension = true",
+        1200,
+    ),
+    (
+        "explicit",
+        "n = 600\nseed = 8\nspeed = 1\nradius = 5e-4\nnt = 400\nintegrator = 'explicit-euler'",
         2500,
+    ),
+    // Pairs of a block may begin many blocks before it, and those of the next one before these.
+    (
+        "unequal",
+        "seed = 3\nside = 0.2\nspeed = 0.3\nintegrator = 'velocity-verlet'\n[[population]]\nn = 3\n\
+         radius = 0.02\nmass = 1\n[[population]]\nn = 3000\nradius = 2e-4\nmass = 1e-3",
+        450,
+    ),
+    (
+        "strip",
+        "n = 2400\nseed = 1\nside = 3\nplacement = 'lattice'\nwalls = false\ngravity = 0",
+        300,
     ),
 ];
 
+/// The discs of a scene; those of the one without walls and gravity in a strip of a few long rows.
+fn discs(start: &Scenario) -> Vec<Particle> {
+    let mut discs = start.build().unwrap().particles().to_vec();
+    if !start.walls && start.gravity == 0.0 {
+        let n = discs.len();
+        for (k, disc) in discs.iter_mut().enumerate() {
+            let golden = (0.618_034 * k as f64).fract();
+            disc.radius = 5e-4;
+            disc.position = DVec2::new(9e-4 * ((k * 7919) % n) as f64, 1.5e-3 * golden);
+            disc.velocity = DVec2::from_angle(k as f64);
+        }
+    }
+    discs
+}
+
 fn plain(text: &str) -> Simulation {
-    let mut start = Scenario::from_toml(text).unwrap();
-    let discs = start.build().unwrap().particles().to_vec();
-    start.output.threads = Some(1);
-    start.assemble(discs, false)
+    let start = Scenario::from_toml(text).unwrap();
+    start.assemble(discs(&start), false)
 }
 
 fn crowd(text: &str, threads: usize) -> Simulation {
     let mut start = Scenario::from_toml(text).unwrap();
     start.output.threads = Some(threads);
-    start.build().unwrap()
+    start.assemble(discs(&start), true)
 }
 
 /// What must agree to the bit.
@@ -65,8 +97,76 @@ fn a_crowd_has_the_bits_of_the_plain_way_on_any_number_of_threads() {
             let mut crowd = crowd(text, threads);
             crowd.step_until(steps);
             assert_eq!(outcome(&crowd), outcome(&plain), "{name} on {threads} threads");
+            assert_eq!(crowd.particles(), plain.particles(), "{name} on {threads} threads");
             assert!(crowd.lists_made() > 2, "{name}: {} lists", crowd.lists_made());
         }
+    }
+}
+
+#[test]
+fn a_gas_so_wide_that_a_row_of_cells_is_longer_than_a_block_has_the_same_bits_on_two_threads() {
+    let text =
+        "n = 90000\nseed = 5\nradius = 1e-5\nmass = 1e-6\ngravity = 0\nspeed = 1\nrestitution = 1";
+    let mut one = crowd(text, 1);
+    one.step_until(60);
+    assert!(one.largest_pair_overlap() > 0.01);
+    for threads in [2, 5] {
+        let mut many = crowd(text, threads);
+        many.step_until(60);
+        assert_eq!(outcome(&many), outcome(&one), "{threads} threads");
+    }
+}
+
+#[test]
+fn a_crowd_s_ledger_is_that_of_the_plain_way_but_for_rounding() {
+    for (name, text, steps) in SCENES {
+        let row = |mut simulation: Simulation| {
+            let ledger = EnergyLedger::open(&mut simulation);
+            simulation.step_until(steps / 2);
+            ledger.row(&simulation)
+        };
+        let (plain, crowd) = (row(plain(text)), row(crowd(text, 2)));
+        let columns = |row: &LedgerRow| {
+            [row.kinetic_J, row.gravitational_J, row.elastic_J, row.dissipated_J, row.work_error_J]
+        };
+        for (plain_J, crowd_J) in columns(&plain).into_iter().zip(columns(&crowd)) {
+            // Sums of thousands of terms in another order: 1e-16 each, of the whole at most.
+            let bound = 1e-12 * plain.total_J.abs();
+            assert!((plain_J - crowd_J).abs() <= bound, "{name}: {plain_J:e} {crowd_J:e}");
+        }
+    }
+}
+
+#[test]
+fn discs_changed_by_hand_far_away_or_nowhere_keep_the_same_bits() {
+    type Change = fn(&mut [Particle]);
+    let changes: [(&str, Change); 3] = [
+        ("faster", |discs| discs.iter_mut().for_each(|disc| disc.velocity *= 1.5)),
+        ("far", |discs| discs[7].position = DVec2::new(1e5, 1e5)),
+        ("nowhere", |discs| discs[11].position.x = f64::NAN),
+    ];
+    let (_, text, _) = SCENES[3]; // without walls
+    for (name, change) in changes {
+        let run = |mut simulation: Simulation| {
+            simulation.step_until(200);
+            simulation.act(change);
+            simulation.step_until(600);
+            simulation
+        };
+        let (plain, crowd) = (run(plain(text)), run(crowd(text, 2)));
+        assert_eq!(outcome(&crowd), outcome(&plain), "{name}");
+        let (there, here) = (plain.stored_energy(), crowd.stored_energy());
+        assert!((there - here).abs() <= 1e-12 * there, "{name}: {there:e} {here:e}"); // rounding
+
+        // Come back to, also where every step makes a new list.
+        let state = crowd.state();
+        let mut other = self::crowd(text, 1);
+        other.set_state(&state);
+        assert_eq!(other.stored_energy().to_bits(), crowd.stored_energy().to_bits(), "{name}");
+        let mut straight = crowd;
+        straight.step_until(800);
+        other.step_until(800);
+        assert_eq!(outcome(&other), outcome(&straight), "{name}");
     }
 }
 

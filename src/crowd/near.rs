@@ -39,7 +39,7 @@ pub(super) struct Near {
     /// the ring of forces they lie, twice the number of the pair (in the ring) and one more if the disc
     /// is the second of the two; or at its end, where there is no force, to fill the last three.
     triples: Vec<[u32; 3]>,
-    /// The first pair that discs of each block take part in.
+    /// The first pair that discs of each block, or of one after it, take part in.
     pub reaches_back_to: Vec<u32>,
     /// Pairs that are still needed when those of a block have been walked, at most; a power of two.
     pub pairs_at_a_time: usize,
@@ -49,8 +49,11 @@ pub(super) struct Near {
     pub listed_at: Vec<[f32; 2]>,
     /// The skin, m.
     pub skin: f64,
-    /// The square of how far a disc may move before the list is bad, m2; negative without a list.
+    /// The square of how far a disc may move before the list is bad, m2; negative if it is to be
+    /// renewed in any case.
     pub limit_squared: f64,
+    /// Whether the list is good for the discs as they are stored.
+    pub is_there: bool,
     /// Lists made so far.
     pub made: u64,
 }
@@ -70,6 +73,7 @@ impl Near {
         self.list_the_rest(particles, ids, planes, skin);
         self.refer_to(particles);
         self.made += 1;
+        self.is_there = true;
     }
 
     /// A list for discs to which `snapshot` goes back. They lie about where they were listed, so the skin
@@ -85,11 +89,16 @@ impl Near {
         self.skin = *skin;
         self.limit_squared = *limit_squared;
         self.listed_at.clone_from(listed_at);
-        if *limit_squared < 0.0 {
-            return;
-        }
-        self.list_pairs_anywhere(particles, 2.0 * skin);
-        self.list_the_rest(particles, ids, planes, 2.0 * skin);
+        self.list_anywhere(particles, ids, planes);
+    }
+
+    /// Lists discs that are not stored cell by cell, with a skin twice as wide, and refers to no new
+    /// positions.
+    pub fn list_anywhere(&mut self, particles: &[Particle], ids: &[u32], planes: &[HalfPlane]) {
+        let skin = 2.0 * self.skin;
+        self.list_pairs_anywhere(particles, skin);
+        self.list_the_rest(particles, ids, planes, skin);
+        self.is_there = true;
     }
 
     fn list_the_rest(
@@ -137,6 +146,7 @@ impl Near {
     /// Forgets the list: the next step makes a new one.
     pub fn forget(&mut self) {
         self.limit_squared = -1.0;
+        self.is_there = false;
     }
 
     /// From now on discs are held against their present positions.
@@ -214,6 +224,12 @@ impl Near {
                 .extend(parts.iter().map(|&part| u64::from(partner(part)) << 32 | u64::from(part)));
             by_partner.sort_unstable();
             parts.iter_mut().zip(&by_partner).for_each(|(part, &key)| *part = key as u32);
+        }
+        // Whoever begins at a block has all later ones to do, too.
+        let mut lowest = u32::MAX;
+        for reach in reaches_back_to.iter_mut().rev() {
+            lowest = lowest.min(*reach);
+            *reach = lowest;
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! A step of ten thousand discs takes a fraction of a millisecond and is shared out twice. Waking a
 //! sleeping thread takes a good part of that, so helpers wait for the next piece of work awake, for
-//! a while, before they go to sleep.
+//! a while, before they go to sleep. What a helper that comes too late would have done, others have done.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -14,7 +14,7 @@ use std::thread::{self, JoinHandle};
 const LOOKS_AWAKE: u32 = 2_000;
 const LOOKS_YIELDING: u32 = 2_000;
 
-type Work<'a> = &'a (dyn Fn(usize) + Sync);
+type Work<'a> = &'a (dyn Fn() + Sync);
 
 /// Threads kept ready from step to step; of one, nothing is shared out.
 pub(super) struct Team {
@@ -25,10 +25,11 @@ pub(super) struct Team {
 /// Where helpers find their work.
 #[derive(Default)]
 struct Desk {
+    /// The present work, for as long as there is something of it left to do.
     work: Mutex<Option<Work<'static>>>,
     /// How many works there have been; it changes once the next lies there.
     works: AtomicUsize,
-    /// Helpers that have not done the present one.
+    /// Helpers that are at it.
     busy: AtomicUsize,
     has_panicked: AtomicBool,
     is_closed: AtomicBool,
@@ -44,7 +45,7 @@ impl Team {
         let desk = Arc::new(Desk { looks_awake, ..Desk::default() });
         let hire = |k: usize| {
             let desk = desk.clone();
-            thread::Builder::new().name(format!("step {k}")).spawn(move || desk.help(k)).ok()
+            thread::Builder::new().name(format!("step {k}")).spawn(move || desk.help()).ok()
         };
         let helpers = (1..threads).map_while(hire).collect();
         Self { desk, helpers }
@@ -55,33 +56,35 @@ impl Team {
         self.helpers.len() + 1
     }
 
-    /// Does `work` for each of `shares`, at most one a thread, all at once.
-    pub fn each<T: Send>(&self, shares: Vec<T>, work: impl Fn(T) + Sync) {
-        assert!(shares.len() <= self.threads(), "a share too many");
-        if shares.len() < 2 {
+    /// Does `work` for each of `shares`: the caller and whoever of the team comes in time take one
+    /// after the other, so that nobody waits for a thread that the system does not let run.
+    pub fn each<T: Send>(&mut self, shares: Vec<T>, work: impl Fn(T) + Sync) {
+        if shares.len() < 2 || self.helpers.is_empty() {
             return shares.into_iter().for_each(work);
         }
         let shares: Vec<_> = shares.into_iter().map(|share| Mutex::new(Some(share))).collect();
-        self.share_out(&|k| {
-            let share = shares.get(k).and_then(|share| locked(share).take());
-            if let Some(share) = share {
-                work(share);
+        let next = AtomicUsize::new(0);
+        self.share_out(&|| {
+            while let Some(share) = shares.get(next.fetch_add(1, Ordering::Relaxed)) {
+                locked(share).take().into_iter().for_each(&work);
             }
         });
     }
 
-    /// Does `work(k)` for each thread k, the caller's being 0.
-    fn share_out(&self, work: Work) {
-        // SAFETY: helpers use `work` only until they have counted themselves out of `busy`, and this
-        // function does not return, nor unwind, before all of them have: `Waiting` sees to it.
+    /// Does `work` here and in every helper that comes before it is done.
+    fn share_out(&mut self, work: Work) {
+        // SAFETY: a helper takes `work` from the desk under its lock, counting itself `busy` under the
+        // same lock, and uses it until it counts itself out. `Waiting`, which is there before `work` is,
+        // takes `work` off the desk and waits until nobody is busy, before this function returns or
+        // unwinds. `&mut self` keeps a second work from being laid on the desk meanwhile.
         #[allow(unsafe_code)]
         let lasting = unsafe { std::mem::transmute::<Work<'_>, Work<'static>>(work) };
+        self.desk.has_panicked.store(false, Ordering::Relaxed);
+        let waiting = Waiting(&self.desk);
         *locked(&self.desk.work) = Some(lasting);
-        self.desk.busy.store(self.helpers.len(), Ordering::Relaxed);
         self.desk.works.fetch_add(1, Ordering::Release);
         self.helpers.iter().for_each(|helper| helper.thread().unpark());
-        let waiting = Waiting(&self.desk);
-        work(0);
+        work();
         drop(waiting);
         assert!(
             !self.desk.has_panicked.load(Ordering::Relaxed),
@@ -101,36 +104,45 @@ impl Drop for Team {
     }
 }
 
-/// Waits, when dropped, until every helper has done its part.
+/// When dropped, takes the work off the desk and waits until nobody is at it any more.
 struct Waiting<'a>(&'a Desk);
 
 impl Drop for Waiting<'_> {
     fn drop(&mut self) {
+        *locked(&self.0.work) = None;
         let mut looks = 0_u32;
         while self.0.busy.load(Ordering::Acquire) > 0 {
-            looks += 1;
+            looks = looks.saturating_add(1);
             if looks < self.0.looks_awake { std::hint::spin_loop() } else { thread::yield_now() }
         }
-        *locked(&self.0.work) = None;
     }
 }
 
 impl Desk {
-    /// What helper `k` does all its life.
-    fn help(&self, k: usize) {
+    /// What a helper does all its life.
+    fn help(&self) {
         let mut done = 0;
         loop {
             done = self.next_work(done);
             if self.is_closed.load(Ordering::Relaxed) {
                 return;
             }
-            let work = *locked(&self.work);
-            let outcome = work.map(|work| catch_unwind(AssertUnwindSafe(|| work(k))));
-            if matches!(outcome, Some(Err(_))) {
+            let Some(work) = self.take_part() else { continue };
+            if let Err(payload) = catch_unwind(AssertUnwindSafe(work)) {
                 self.has_panicked.store(true, Ordering::Relaxed);
+                std::mem::forget(payload); // dropping it might panic once more
             }
             self.busy.fetch_sub(1, Ordering::Release);
         }
+    }
+
+    /// The present work, if it still lies there; whoever takes it is busy from then on.
+    fn take_part(&self) -> Option<Work<'static>> {
+        let work = locked(&self.work);
+        if work.is_some() {
+            self.busy.fetch_add(1, Ordering::Relaxed);
+        }
+        *work
     }
 
     /// Waits until there have been other than `done` works, and says how many.
@@ -141,7 +153,7 @@ impl Desk {
             if works != done {
                 return works;
             }
-            looks += 1;
+            looks = looks.saturating_add(1);
             if looks < self.looks_awake {
                 std::hint::spin_loop();
             } else if looks < self.looks_awake + LOOKS_YIELDING {
@@ -164,8 +176,8 @@ mod tests {
     #[test]
     fn every_share_is_done_once_whoever_does_it() {
         for threads in [1, 2, 5] {
-            let team = Team::of(threads);
-            for shares in 0..=threads {
+            let mut team = Team::of(threads);
+            for shares in 0..=2 * threads {
                 for _ in 0..200 {
                     let mut sums = vec![0; shares];
                     team.each(sums.iter_mut().enumerate().collect(), |(k, sum)| *sum += k + 1);
@@ -176,17 +188,25 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_of_a_helper_reaches_the_caller_after_all_are_done() {
-        let team = Team::of(3);
-        let done = AtomicUsize::new(0);
-        let outcome = catch_unwind(AssertUnwindSafe(|| {
-            team.each(vec![0, 1, 2], |k| {
-                assert_ne!(k, 1, "wanted");
-                thread::sleep(std::time::Duration::from_millis(20));
+    fn a_panic_reaches_the_caller_once_nobody_is_at_work_and_the_team_goes_on() {
+        let mut team = Team::of(3);
+        for _ in 0..3 {
+            let at_work = AtomicUsize::new(0);
+            let outcome = catch_unwind(AssertUnwindSafe(|| {
+                team.each((0..6).collect(), |k| {
+                    at_work.fetch_add(1, Ordering::Relaxed);
+                    thread::sleep(std::time::Duration::from_micros(100));
+                    at_work.fetch_sub(1, Ordering::Relaxed);
+                    assert_ne!(k, 3, "wanted");
+                });
+            }));
+            assert!(outcome.is_err());
+            assert_eq!(at_work.into_inner(), 0);
+            let done = AtomicUsize::new(0);
+            team.each((0..3).collect(), |_: i32| {
                 done.fetch_add(1, Ordering::Relaxed);
             });
-        }));
-        assert!(outcome.is_err());
-        assert_eq!(done.into_inner(), 2);
+            assert_eq!(done.into_inner(), 3);
+        }
     }
 }
