@@ -222,6 +222,11 @@ fn refusal(file: &Path, why: String) -> Failure {
             whole.progress.step,
             quoted(&other.to_string_lossy())
         ),
+        Err(_) if !file.exists() => {
+            "name the checkpoint, parsim2d.ckpt, or the folder it lies in; it is written on Ctrl-C and by \
+             --checkpoint-every"
+                .to_owned()
+        }
         Err(_) => "there is no other whole checkpoint beside it; run the scenario again".to_owned(),
     };
     Failure::Resume(ResumeError { why, way_out })

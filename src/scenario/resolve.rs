@@ -155,7 +155,7 @@ fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
     let steps = |field, said: Option<i64>, least| {
         said.map(|k| whole(field, k, least..=i64::MAX, "leave it out for the default")).transpose()
     };
-    let cores = "leave it out for all cores";
+    let cores = "--threads 1, or as many as there are cores";
     let threads = settings.threads.map(|k| whole("threads", k, 1..=MOST_THREADS, cores));
     let slowdown = settings.slowdown.map(|x| positive("slowdown", x.si, "--slowdown 10"));
     let checkpoint_every = settings
