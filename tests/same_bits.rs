@@ -106,13 +106,13 @@ fn a_crowd_has_the_bits_of_the_plain_way_on_any_number_of_threads() {
 #[test]
 fn a_gas_so_wide_that_a_row_of_cells_is_longer_than_a_block_has_the_same_bits_on_two_threads() {
     let text =
-        "n = 90000\nseed = 5\nradius = 1e-5\nmass = 1e-6\ngravity = 0\nspeed = 1\nrestitution = 1";
+        "n = 100000\nseed = 5\nradius = 3e-6\ngravity = 0\nspeed = 1\nnt = 1300\nrestitution = 1";
     let mut one = crowd(text, 1);
-    one.step_until(60);
+    one.step_until(47);
     assert!(one.largest_pair_overlap() > 0.01);
     for threads in [2, 5] {
         let mut many = crowd(text, threads);
-        many.step_until(60);
+        many.step_until(47);
         assert_eq!(outcome(&many), outcome(&one), "{threads} threads");
     }
 }
