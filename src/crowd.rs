@@ -1,4 +1,4 @@
-//! Many discs, fast: the same physics as [`PlainDiscs`] with the contacts of [`crate::force`], to the
+//! Many discs, fast: the same physics as [`PlainDiscs`](crate::discs::PlainDiscs) with the contacts of [`crate::force`], to the
 //! same bits, on any number of threads.
 //!
 //! What it does otherwise:
