@@ -191,34 +191,38 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         }
     }
 
-    /// Stores the discs cell by cell and lists who is near whom. The skin is chosen for the present
-    /// speeds unless it is given, m.
-    fn list(&mut self, skin: Option<f64>) {
-        let radius = largest_radius(&self.particles);
-        let n = self.particles.len().max(1) as f64;
-        let mean = self.particles.iter().map(|p| p.radius).sum::<f64>() / n;
-        let fastest =
-            self.particles.iter().map(|p| p.velocity.length_squared()).fold(0.0, f64::max);
-        let travel = (fastest.sqrt() * self.dt).min(radius);
-        let skin = |density: f64| skin.unwrap_or_else(|| best_skin(mean, density, travel));
-
-        let mut cells = Cells::default();
-        cells.lay_out(&self.particles, |density| 2.0 * radius + skin(density));
-        let mut order = cells.order(&self.particles);
-        let (particles, ids, springs) = (&mut self.particles, &mut self.ids, &mut self.springs);
+    /// Stores the discs in this order: for each place, where its disc is now. What lies beside the discs
+    /// goes with them. `order` is used up.
+    fn store(&mut self, order: &mut [u32]) {
         let mut is_moved = false;
-        put_in_order(&mut order, |a, b| {
+        put_in_order(order, |a, b| {
             is_moved = true;
-            particles.swap(a, b);
-            ids.swap(a, b);
-            if !springs.is_empty() {
-                springs.swap(a, b);
+            self.particles.swap(a, b);
+            self.ids.swap(a, b);
+            if !self.springs.is_empty() {
+                self.springs.swap(a, b);
             }
         });
         if is_moved {
             self.in_id_order.take();
             self.places.take();
         }
+    }
+
+    /// Stores the discs cell by cell and lists who is near whom, with a skin for the present speeds.
+    fn list(&mut self) {
+        let radius = largest_radius(&self.particles);
+        let n = self.particles.len().max(1) as f64;
+        let mean = self.particles.iter().map(|p| p.radius).sum::<f64>() / n;
+        let fastest =
+            self.particles.iter().map(|p| p.velocity.length_squared()).fold(0.0, f64::max);
+        let travel = (fastest.sqrt() * self.dt).min(radius);
+        let skin = |density: f64| best_skin(mean, density, travel);
+
+        let mut cells = Cells::default();
+        cells.lay_out(&self.particles, |density| 2.0 * radius + skin(density));
+        let mut order = cells.order(&self.particles);
+        self.store(&mut order);
         let skin = skin(cells.density);
         self.near.make(&self.particles, &self.ids, &self.planes, &cells, skin);
     }
@@ -230,15 +234,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         for (place, &id) in (0..).zip(&self.ids) {
             order[id as usize] = place;
         }
-        put_in_order(&mut order, |a, b| {
-            self.particles.swap(a, b);
-            self.ids.swap(a, b);
-            if !self.springs.is_empty() {
-                self.springs.swap(a, b);
-            }
-        });
-        self.in_id_order.take();
-        self.places.take();
+        self.store(&mut order);
+        self.in_id_order.take(); // the discs themselves may be about to change
         // Good for the energy of the present state; the next step stores the discs by cells again.
         self.near.list_anywhere(&self.particles, &self.ids, &self.planes);
         self.near.forget();
@@ -289,7 +286,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
     fn update_forces(&mut self) {
         self.carry_out();
         if !self.near.is_there {
-            self.list(None);
+            self.list();
         }
         self.add_up_forces();
     }

@@ -5,7 +5,6 @@
 
 use glam::DVec2;
 
-use super::cells::put_in_order;
 use super::motion::Move;
 use super::{Crowd, LaneLaw};
 use crate::discs::{Discs, Kept, Snapshot};
@@ -111,10 +110,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             places[id as usize] = place;
         }
         let mut order: Vec<u32> = ids.iter().map(|&id| places[id as usize]).collect();
-        put_in_order(&mut order, |a, b| {
-            self.particles.swap(a, b);
-            self.ids.swap(a, b);
-        });
+        self.store(&mut order);
     }
 
     /// Takes back the changes of sizes after the first `kept`, the last first.
