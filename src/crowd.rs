@@ -5,17 +5,20 @@
 //! - Discs are stored cell by cell, so that those that touch lie close in memory too. Outside,
 //!   everything is in id order.
 //! - Kicks and drifts are put off until forces are asked for, and then done in one pass.
-//! - Each contact is computed once, two at a time; each disc then adds up its own in ascending id of
+//! - Each contact is computed once, four at a time; each disc then adds up its own in ascending id of
 //!   the partner, whoever computed them.
 //! - Both passes are shared out to threads by blocks of discs.
 //!
 //! Why the bits are the same is told in `docs/same-bits.md`.
 
 mod as_discs;
+#[cfg(target_arch = "x86_64")]
+mod avx2;
 mod cells;
 mod contact_lanes;
 mod kept;
 mod lane_law;
+mod lanes;
 mod motion;
 mod near;
 mod push;
@@ -28,6 +31,7 @@ use glam::DVec2;
 use self::cells::{Cells, put_in_order};
 use self::kept::{Resized, Since};
 pub use self::lane_law::{ContactLanes, LaneLaw};
+pub use self::lanes::Lanes;
 use self::motion::{Block, Booked, Move};
 use self::near::{Near, best_skin};
 use self::push::{Largest, Pass, Ring, Share};

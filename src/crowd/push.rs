@@ -9,84 +9,116 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use wide::f64x2;
+use wide::{f64x2, f64x4};
 
+#[cfg(target_arch = "x86_64")]
+use super::avx2::Four;
+use super::contact_lanes::Forces;
 use super::lane_law::LaneLaw;
+use super::lanes::Lanes;
 use super::near::Near;
 use super::{BLOCK, contact_lanes};
 use crate::force::{HalfPlane, Tally};
 use crate::particle::{Contact, Particle};
 
 /// What is kept of a contact: on its first disc, and on its second.
-pub(super) trait Kept: Copy {
+pub(super) trait Kept<V: Lanes> {
     /// Whether the springs' share is told apart.
     const HAS_SPRING: bool;
-    /// A force and the springs' share of it, N.
-    fn of(force: f64x2, spring: f64x2) -> Self;
-    /// The force, N.
-    fn force(self) -> f64x2;
-    /// The springs' share, N.
-    fn spring(self) -> f64x2;
-    /// The sum of both.
-    fn plus(self, other: Self) -> Self;
+    /// As it lies in the ring.
+    type Stored: Copy + Default;
+    /// As it is added up.
+    type Sum: Copy;
+    /// What is to be stored of four contacts with these forces on the second discs, N.
+    fn stored(forces: [Forces<V>; 2]) -> [[Self::Stored; 2]; 4];
+    /// A force without springs, to begin a sum with.
+    fn start(zero: V, force: DVec2, spring: DVec2) -> Self::Sum;
+    /// The sum with one more.
+    fn plus(sum: Self::Sum, other: Self::Stored) -> Self::Sum;
+    /// The whole force and the springs' share, N.
+    fn of(sum: Self::Sum) -> [DVec2; 2];
 
     /// The sum of this and of all that `triples` name in the `ring`, one after the other.
     #[inline(always)]
-    fn plus_all(self, triples: &[[u32; 3]], ring: &[Self]) -> Self {
-        triples.iter().fold(self, |sum, &[first, second, third]| {
-            let sum = sum.plus(ring[first as usize]).plus(ring[second as usize]);
-            sum.plus(ring[third as usize])
-        })
+    fn plus_all(sum: Self::Sum, triples: &[[u32; 3]], ring: &[Self::Stored]) -> Self::Sum {
+        let mut sum = sum;
+        for &[first, second, third] in triples {
+            sum = Self::plus(Self::plus(sum, ring[first as usize]), ring[second as usize]);
+            sum = Self::plus(sum, ring[third as usize]);
+        }
+        sum
     }
 }
 
 /// The whole force alone.
-impl Kept for f64x2 {
+struct Whole;
+
+impl<V: Lanes> Kept<V> for Whole {
     const HAS_SPRING: bool = false;
+    type Stored = [f64; 2];
+    type Sum = f64x2;
     #[inline(always)]
-    fn of(force: f64x2, _spring: f64x2) -> Self {
-        force
+    fn stored([[x, y], _]: [Forces<V>; 2]) -> [[[f64; 2]; 2]; 4] {
+        let [a, b, c, d] = V::transposed([x.negated(), y.negated(), x, y]);
+        [halves(a), halves(b), halves(c), halves(d)]
     }
     #[inline(always)]
-    fn force(self) -> f64x2 {
-        self
+    fn start(_zero: V, force: DVec2, _spring: DVec2) -> f64x2 {
+        f64x2::new(force.to_array())
     }
     #[inline(always)]
-    fn spring(self) -> f64x2 {
-        f64x2::ZERO
+    fn plus(sum: f64x2, other: [f64; 2]) -> f64x2 {
+        sum + f64x2::new(other)
     }
     #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        self + other
+    fn of(sum: f64x2) -> [DVec2; 2] {
+        [DVec2::from_array(sum.to_array()), DVec2::ZERO]
     }
 }
 
 /// The whole force and the springs' share, for the ledger.
-impl Kept for [f64x2; 2] {
+struct Split;
+
+impl<V: Lanes> Kept<V> for Split {
     const HAS_SPRING: bool = true;
+    type Stored = [f64; 4];
+    type Sum = V;
     #[inline(always)]
-    fn of(force: f64x2, spring: f64x2) -> Self {
-        [force, spring]
+    fn stored([[x, y], [sx, sy]]: [Forces<V>; 2]) -> [[[f64; 4]; 2]; 4] {
+        let [a, b, c, d] = V::transposed([x, y, sx, sy]);
+        [both_signs(a), both_signs(b), both_signs(c), both_signs(d)]
     }
     #[inline(always)]
-    fn force(self) -> f64x2 {
-        self[0]
+    fn start(zero: V, force: DVec2, spring: DVec2) -> V {
+        zero.of([force.x, force.y, spring.x, spring.y])
     }
     #[inline(always)]
-    fn spring(self) -> f64x2 {
-        self[1]
+    fn plus(sum: V, other: [f64; 4]) -> V {
+        sum + sum.of(other)
     }
     #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        [self[0] + other[0], self[1] + other[1]]
+    fn of(sum: V) -> [DVec2; 2] {
+        let [x, y, sx, sy] = sum.to_array();
+        [DVec2::new(x, y), DVec2::new(sx, sy)]
     }
+}
+
+#[inline(always)]
+fn halves<V: Lanes>(row: V) -> [[f64; 2]; 2] {
+    let [a, b, c, d] = row.to_array();
+    [[a, b], [c, d]]
+}
+
+#[inline(always)]
+fn both_signs<V: Lanes>(row: V) -> [[f64; 4]; 2] {
+    [row.negated().to_array(), row.to_array()]
 }
 
 /// The last of the pairs' forces: for each pair that on its first disc, then that on its second.
 #[derive(Default)]
 pub(super) struct Ring {
-    whole: Vec<[f64x2; 2]>,      // N
-    split: Vec<[[f64x2; 2]; 2]>, // N, with a ledger
+    whole: Vec<[[f64; 2]; 2]>, // N
+    split: Vec<[[f64; 4]; 2]>, // N, with a ledger
 }
 
 /// What a pass over the pairs needs to know.
@@ -110,32 +142,50 @@ pub(super) struct Share<'a> {
 impl<L: LaneLaw + Clone> Pass<'_, L> {
     /// Adds up weight, walls and contacts of every disc of `share`, in this order.
     pub fn serve(&self, share: Share) {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(zero) = Four::on_this_processor() {
+            return zero.run(
+                #[inline(always)]
+                || self.serve_in(zero, share),
+            );
+        }
+        self.serve_in(f64x4::ZERO, share);
+    }
+
+    #[inline(always)]
+    fn serve_in<V: Lanes>(&self, zero: V, share: Share) {
         let mut ring = std::mem::take(share.ring);
         let kept = match share.springs.is_empty() {
-            true => self.serve_with::<f64x2>(&mut ring.whole, share),
-            false => self.serve_with::<[f64x2; 2]>(&mut ring.split, share),
+            true => self.serve_with::<V, Whole>(zero, &mut ring.whole, share),
+            false => self.serve_with::<V, Split>(zero, &mut ring.split, share),
         };
         *kept = ring;
     }
 
-    fn serve_with<'a, K: Kept>(&self, ring: &mut Vec<[K; 2]>, share: Share<'a>) -> &'a mut Ring {
+    #[inline(always)]
+    fn serve_with<'a, V: Lanes, K: Kept<V>>(
+        &self,
+        zero: V,
+        ring: &mut Vec<[K::Stored; 2]>,
+        share: Share<'a>,
+    ) -> &'a mut Ring {
         let Share { blocks, forces, springs, ring: kept, largest } = share;
         // Room for the pairs, and at the end for no force at all.
-        let nothing = K::of(f64x2::ZERO, f64x2::ZERO);
-        ring.resize(self.near.pairs_at_a_time + 1, [nothing; 2]);
-        ring[self.near.pairs_at_a_time] = [nothing; 2];
+        let nothing = [K::Stored::default(); 2];
+        ring.resize(self.near.pairs_at_a_time + 1, nothing);
+        ring[self.near.pairs_at_a_time] = nothing;
         let first = blocks.start * BLOCK;
         let before =
             self.near.reaches_back_to[blocks.start] as usize..self.pairs_of(blocks.start).start;
         if !before.is_empty() {
-            self.walk(before, ring, &mut Largest::default());
+            self.walk::<V, K>(zero, before, ring, &mut Largest::default());
         }
         for block in blocks {
-            self.walk(self.pairs_of(block), ring, largest);
+            self.walk::<V, K>(zero, self.pairs_of(block), ring, largest);
             let places = block * BLOCK..((block + 1) * BLOCK).min(self.particles.len());
             let here = places.start - first..places.end - first;
             let springs = springs.get_mut(here.clone()).unwrap_or_default();
-            self.gather(places, &mut forces[here], springs, ring, largest);
+            self.gather::<V, K>(zero, places, &mut forces[here], springs, ring, largest);
         }
         kept
     }
@@ -146,67 +196,86 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
 
     /// Puts the forces of these pairs into the ring.
     #[inline(always)]
-    fn walk<K: Kept>(&self, pairs: Range<usize>, ring: &mut [[K; 2]], largest: &mut Largest) {
+    fn walk<V: Lanes, K: Kept<V>>(
+        &self,
+        zero: V,
+        pairs: Range<usize>,
+        ring: &mut [[K::Stored; 2]],
+        largest: &mut Largest,
+    ) {
         let (law, discs) = (self.law.clone(), self.particles);
         let ring = &mut ring[..self.near.pairs_at_a_time]; // a power of two
-        let mut put = |pair: usize, force: f64x2, spring: f64x2| {
-            let last = ring.len() - 1;
-            ring[pair & last] = [K::of(force ^ MINUS, spring ^ MINUS), K::of(force, spring)];
-        };
+        let last = ring.len() - 1;
         let mut pair = pairs.start;
-        let mut twos = self.near.pairs[pairs].chunks_exact(2);
-        for two in &mut twos {
-            let a = [&discs[two[0][0] as usize], &discs[two[1][0] as usize]];
-            let b = [&discs[two[0][1] as usize], &discs[two[1][1] as usize]];
-            let (forces, springs) = contact_lanes::forces::<L, K>(&law, a, b, largest);
-            put(pair, forces[0], springs[0]);
-            put(pair + 1, forces[1], springs[1]);
-            pair += 2;
+        let mut fours = self.near.pairs[pairs].chunks_exact(4);
+        for four in &mut fours {
+            let stored = stored::<L, V, K>(
+                &law,
+                zero,
+                &[four[0], four[1], four[2], four[3]],
+                discs,
+                largest,
+            );
+            (0..4).for_each(|k| ring[(pair + k) & last] = stored[k]);
+            pair += 4;
         }
-        if let [[a, b]] = twos.remainder() {
-            let (a, b) = ([&discs[*a as usize]; 2], [&discs[*b as usize]; 2]);
-            let (forces, springs) = contact_lanes::forces::<L, K>(&law, a, b, largest);
-            put(pair, forces[0], springs[0]);
+        if let [first, ..] = fours.remainder() {
+            let mut four = [*first; 4];
+            four.iter_mut().zip(fours.remainder()).for_each(|(to, from)| *to = *from);
+            for (stored, _) in stored::<L, V, K>(&law, zero, &four, discs, largest)
+                .into_iter()
+                .zip(fours.remainder())
+            {
+                ring[pair & last] = stored;
+                pair += 1;
+            }
         }
     }
 
     /// Adds up the forces on the discs at `places`.
     #[inline(always)]
-    fn gather<K: Kept>(
+    fn gather<V: Lanes, K: Kept<V>>(
         &self,
+        zero: V,
         places: Range<usize>,
         forces: &mut [DVec2],
         springs: &mut [DVec2],
-        ring: &[[K; 2]],
+        ring: &[[K::Stored; 2]],
         largest: &mut Largest,
     ) {
         let discs = &self.particles[places.clone()];
         let at_wall = self.near.at_wall_among(&places);
-        let weight = |disc: &Particle| K::of(vector(disc.mass * self.gravity), f64x2::ZERO);
-        let mut put = |here: usize, sum: K| {
-            forces[here] = DVec2::from_array(sum.force().to_array());
+        let weight = |disc: &Particle| K::start(zero, disc.mass * self.gravity, DVec2::ZERO);
+        let mut put = |here: usize, sum: K::Sum| {
+            let [force, spring] = K::of(sum);
+            forces[here] = force;
             if K::HAS_SPRING {
-                springs[here] = DVec2::from_array(sum.spring().to_array());
+                springs[here] = spring;
             }
         };
         let (triples, ring) = (self.near.triples_of(places.clone()), ring.as_flattened());
         let all = discs.iter().zip(triples).enumerate();
         if at_wall.is_empty() {
-            all.for_each(|(here, (disc, triples))| put(here, weight(disc).plus_all(triples, ring)));
+            all.for_each(|(here, (disc, triples))| {
+                put(here, K::plus_all(weight(disc), triples, ring))
+            });
             return;
         }
         let mut at_wall = at_wall.iter().map(|&place| place as usize - places.start).peekable();
         for (here, (disc, triples)) in all {
             let start = match at_wall.next_if_eq(&here) {
                 None => weight(disc),
-                Some(_) => self.touch_walls(disc, largest),
+                Some(_) => {
+                    let [force, spring] = self.touch_walls(disc, largest);
+                    K::start(zero, force, spring)
+                }
             };
-            put(here, start.plus_all(triples, ring));
+            put(here, K::plus_all(start, triples, ring));
         }
     }
 
-    /// Weight and walls.
-    fn touch_walls<K: Kept>(&self, disc: &Particle, largest: &mut Largest) -> K {
+    /// Weight and walls: the whole force and the springs' share, N.
+    fn touch_walls(&self, disc: &Particle, largest: &mut Largest) -> [DVec2; 2] {
         let (mut force, mut spring) = (disc.mass * self.gravity, DVec2::ZERO);
         for plane in self.planes {
             let distance = plane.distance(disc.position);
@@ -217,7 +286,7 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
                 *wall = wall.max(contact.overlap / disc.radius);
             }
         }
-        K::of(vector(force), vector(spring))
+        [force, spring]
     }
 
     /// Energy stored in the contacts of the discs of a block with walls and with discs ahead, J.
@@ -243,12 +312,22 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
     }
 }
 
-/// Changes the sign of what it is joined to by `^`.
-const MINUS: f64x2 = f64x2::new([-0.0, -0.0]);
-
+/// What is to be stored of the contacts of four pairs of `discs`.
 #[inline(always)]
-fn vector(v: DVec2) -> f64x2 {
-    f64x2::new(v.to_array())
+fn stored<L: LaneLaw, V: Lanes, K: Kept<V>>(
+    law: &L,
+    zero: V,
+    pairs: &[[u32; 2]; 4],
+    discs: &[Particle],
+    largest: &mut Largest,
+) -> [[K::Stored; 2]; 4] {
+    let [a, b, c, d] = pairs;
+    let at = |place: u32| &discs[place as usize];
+    let side = |k: usize| [at(a[k]), at(b[k]), at(c[k]), at(d[k])];
+    match contact_lanes::forces(law, zero, [side(0), side(1)], largest) {
+        Some(forces) => K::stored(forces),
+        None => [[K::Stored::default(); 2]; 4],
+    }
 }
 
 /// The largest overlaps met so far.
