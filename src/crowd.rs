@@ -4,10 +4,11 @@
 //! What it does otherwise:
 //! - Discs are stored cell by cell, so that those that touch lie close in memory too. Outside,
 //!   everything is in id order.
-//! - Kicks and drifts are put off until forces are asked for, and then done in one pass.
 //! - Each contact is computed once, four at a time; each disc then adds up its own in ascending id of
 //!   the partner, whoever computed them.
-//! - Both passes are shared out to threads by blocks of discs.
+//! - Forces, kicks and drifts are put off until forces are asked for again, and then done in one pass over the
+//!   discs, block by block.
+//! - The pass is shared out to threads by blocks of discs.
 //!
 //! Why the bits are the same is told in `docs/same-bits.md`.
 
@@ -19,9 +20,12 @@ mod contact_lanes;
 mod kept;
 mod lane_law;
 mod lanes;
+mod largest;
 mod motion;
 mod near;
-mod push;
+mod pass;
+mod ring;
+mod seam;
 mod team;
 
 use std::sync::OnceLock;
@@ -32,9 +36,12 @@ use self::cells::{Cells, put_in_order};
 use self::kept::{Resized, Since};
 pub use self::lane_law::{ContactLanes, LaneLaw};
 pub use self::lanes::Lanes;
-use self::motion::{Block, Booked, Move};
+use self::largest::Largest;
+use self::motion::{Booked, Move};
 use self::near::{Near, best_skin};
-use self::push::{Largest, Pass, Ring, Share};
+use self::pass::{Found, Pass, Share};
+use self::ring::Ring;
+use self::seam::Seam;
 use self::team::Team;
 use crate::discs::Discs;
 use crate::force::{HalfPlane, Tally};
@@ -60,18 +67,17 @@ pub struct Crowd<L> {
     /// The discs as they are stored, and the id of each.
     particles: Vec<Particle>,
     ids: Vec<u32>,
-    /// Forces on the discs as they are stored, N; newer than those in the discs while `forces_are_new`.
-    forces: Vec<DVec2>,
-    forces_are_new: bool,
-    /// The springs' part of them, N; empty without ledger.
+    /// The springs' part of the forces on the discs as they are stored, N; empty without ledger.
     springs: Vec<DVec2>,
     near: Near,
-    /// Asked for, and not done yet.
+    /// Asked for, and not done yet: first to add up the forces, then to move.
+    forces_are_wanted: bool,
     moves: Vec<Move>,
     tally: Tally,
     works: Option<Works>,
     team: Team,
     rings: Vec<Ring>,
+    seams: Vec<Seam>,
     /// What the discs have done since the forces in them were added up.
     since_forces: Since,
     /// Size changes by hand: the disc, and what it was.
@@ -99,15 +105,15 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             gravity: gravity + DVec2::ZERO, // -0.0 would be told from the 0.0 of no contact
             dt,
             ids: (0..particles.len() as u32).collect(),
-            forces: vec![DVec2::ZERO; particles.len()],
             particles,
-            forces_are_new: false,
             springs: Vec::new(),
             near: Near::default(),
+            forces_are_wanted: false,
             moves: Vec::new(),
             tally: Tally::default(),
             works: None,
             rings: (0..team.threads()).map(|_| Ring::default()).collect(),
+            seams: (0..=team.threads()).map(|_| Seam::none()).collect(),
             team,
             since_forces: Since::Still,
             resized: Vec::new(),
@@ -125,62 +131,82 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         self.team.threads()
     }
 
-    /// Does what was asked for, and makes a new list of near pairs if discs have moved too far for it.
-    fn carry_out(&mut self) {
-        let moves = std::mem::take(&mut self.moves);
-        if moves.is_empty() && !self.forces_are_new {
+    /// Does what was asked for. `keeps_springs` says whether somebody may ask for the springs' forces
+    /// before they are added up anew.
+    fn carry_out(&mut self, keeps_springs: bool) {
+        if self.moves.is_empty() && !self.forces_are_wanted {
             return;
         }
         self.in_id_order.take();
-        let blocks = self.particles.len().div_ceil(BLOCK);
+        let moves = std::mem::take(&mut self.moves);
         let kicks = match self.works {
             Some(_) => moves.iter().filter(|to_do| matches!(to_do, Move::Kick(_))).count(),
             None => 0,
         };
-        let mut books = vec![[0.0; 3]; blocks * kicks];
-        let farthest = self.move_blocks(&moves, kicks, &mut books);
+        let mut books = vec![[0.0; 3]; self.particles.len().div_ceil(BLOCK) * kicks];
+        let found = self.go_through(&moves, kicks, &mut books, keeps_springs);
+        self.book(kicks, &books);
+        self.tally = found.largest.tally;
+        if self.forces_are_wanted {
+            self.since_forces = Since::Still;
+        }
         self.since_forces = self.since_forces.and_then(&moves);
+        self.forces_are_wanted = false;
         self.moves = moves;
         self.moves.clear();
-        self.forces_are_new = false;
-        self.book(kicks, &books);
-        if farthest > self.near.limit_squared {
+        if found.farthest > self.near.limit_squared {
             self.near.forget();
         }
     }
 
-    /// Does the `moves`, block by block, and says how far any disc is from where it was listed: the
-    /// square of it, m2.
-    fn move_blocks(&mut self, moves: &[Move], kicks: usize, books: &mut [Booked]) -> f64 {
-        let n = self.particles.len();
-        let new_forces = if self.forces_are_new { &self.forces[..] } else { &[] };
-        let mut books = books.chunks_mut(kicks.max(1));
-        let blocks = self.particles.chunks_mut(BLOCK).enumerate().map(|(block, particles)| {
-            let here = block * BLOCK..((block + 1) * BLOCK).min(n);
-            Block {
-                particles,
-                forces: new_forces.get(here.clone()).unwrap_or_default(),
-                springs: self.springs.get(here.clone()).unwrap_or_default(),
-                listed_at: self.near.listed_at.get(here).unwrap_or_default(),
-                books: books.next().unwrap_or_default(),
+    /// One pass over all discs, shared out to the team.
+    fn go_through(
+        &mut self,
+        moves: &[Move],
+        kicks: usize,
+        books: &mut [Booked],
+        keeps_springs: bool,
+    ) -> Found {
+        let blocks = self.particles.len().div_ceil(BLOCK);
+        let each = blocks.div_ceil(self.team.threads()).max(1);
+        let pass = Pass {
+            law: &self.law,
+            planes: &self.planes,
+            gravity: self.gravity,
+            near: &self.near,
+            adds_up: self.forces_are_wanted,
+            has_ledger: self.works.is_some(),
+            keeps_springs,
+            moves,
+            kicks,
+        };
+        let mut ends = (1..).map(|k| k * each).take_while(|&block| block < blocks);
+        for seam in &mut self.seams[1..] {
+            match ends.next() {
+                Some(block) if pass.adds_up => seam.copy(&self.particles, &self.near, block),
+                _ => *seam = Seam::none(),
             }
-        });
-        let gravity = self.gravity;
-        let go = |farthest: f64, block: Block| farthest.max(block.go(moves, gravity));
-        if self.team.threads() == 1 {
-            return blocks.fold(0.0, go);
         }
-        let mut blocks: Vec<_> = blocks.collect();
-        let share = blocks.len().div_ceil(self.team.threads()).max(1);
-        let mut farthest = vec![0.0; blocks.len().div_ceil(share)];
-        let shares = farthest.iter_mut().map(|farthest| {
-            let rest = blocks.split_off(share.min(blocks.len()));
-            (farthest, std::mem::replace(&mut blocks, rest))
+        let nothing = Found { largest: Largest::of(&self.tally), farthest: 0.0 };
+        let mut found = vec![nothing.clone(); self.team.threads()];
+        let places = each * BLOCK;
+        let mut springs = self.springs.chunks_mut(places);
+        let mut listed_at = self.near.listed_at.chunks(places);
+        let mut books = books.chunks_mut((each * kicks).max(1));
+        let particles = self.particles.chunks_mut(places).zip(self.seams.windows(2)).enumerate();
+        let shares = particles.zip(&mut self.rings).zip(&mut found);
+        let shares = shares.map(|(((k, (particles, seams)), ring), found)| Share {
+            blocks: k * each..((k + 1) * each).min(blocks),
+            particles,
+            springs: springs.next().unwrap_or_default(),
+            listed_at: listed_at.next().unwrap_or_default(),
+            books: books.next().unwrap_or_default(),
+            seams: [&seams[0], &seams[1]],
+            ring,
+            found,
         });
-        self.team.each(shares.collect(), |(farthest, blocks): (&mut f64, Vec<Block>)| {
-            *farthest = blocks.into_iter().fold(0.0, go);
-        });
-        farthest.into_iter().fold(0.0, f64::max)
+        self.team.each(shares.collect(), |share| pass.serve(share));
+        found.iter().fold(nothing, |all, found| all.and(found))
     }
 
     /// Adds up what the blocks have booked, kick by kick and block by block.
@@ -244,38 +270,6 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         self.near.list_anywhere(&self.particles, &self.ids, &self.planes);
         self.near.forget();
     }
-
-    fn add_up_forces(&mut self) {
-        let blocks = self.particles.len().div_ceil(BLOCK);
-        if blocks == 0 {
-            return;
-        }
-        let each = blocks.div_ceil(self.team.threads());
-        let pass = Pass {
-            law: &self.law,
-            planes: &self.planes,
-            gravity: self.gravity,
-            particles: &self.particles,
-            near: &self.near,
-        };
-        let mut largest = vec![Largest::of(&self.tally); self.team.threads()];
-        let mut springs = self.springs.chunks_mut(each * BLOCK);
-        let forces = self.forces.chunks_mut(each * BLOCK);
-        let shares = forces.zip(&mut self.rings).zip(&mut largest).enumerate();
-        let shares = shares.map(|(k, ((forces, ring), largest))| Share {
-            blocks: k * each..((k + 1) * each).min(blocks),
-            forces,
-            springs: springs.next().unwrap_or_default(),
-            ring,
-            largest,
-        });
-        self.team.each(shares.collect(), |share| pass.serve(share));
-        let mut all = Largest::of(&self.tally);
-        largest.iter().for_each(|largest| all.join(largest));
-        self.tally = all.tally;
-        self.forces_are_new = true;
-        self.since_forces = Since::Still;
-    }
 }
 
 impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
@@ -288,11 +282,11 @@ impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
     }
 
     fn update_forces(&mut self) {
-        self.carry_out();
+        self.carry_out(false);
         if !self.near.is_there {
             self.list();
         }
-        self.add_up_forces();
+        self.forces_are_wanted = true;
     }
 
     fn particles_mut(&mut self) -> &mut [Particle] {

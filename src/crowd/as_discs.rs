@@ -3,13 +3,12 @@
 use glam::DVec2;
 
 use super::kept::{Resized, Since};
-use super::push::Pass;
 use super::{BLOCK, Crowd, LaneLaw};
 use crate::discs::{Discs, Kept, PlainDiscs, Snapshot};
 use crate::force::{Contacts, Force, Tally, Walls};
 use crate::integrator::Motion;
 use crate::neighbours::Neighbours;
-use crate::particle::Particle;
+use crate::particle::{Contact, Particle};
 use crate::work::{Sum, Works, kinetic_energy};
 
 impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
@@ -18,7 +17,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     }
 
     fn settle(&mut self) {
-        self.carry_out();
+        self.carry_out(true);
     }
 
     fn particles(&self) -> &[Particle] {
@@ -56,15 +55,9 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     }
 
     fn stored_energy(&self) -> f64 {
-        let pass = Pass {
-            law: &self.law,
-            planes: &self.planes,
-            gravity: self.gravity,
-            particles: &self.particles,
-            near: &self.near,
-        };
         let mut total = Sum::default();
-        (0..self.particles.len().div_ceil(BLOCK)).for_each(|k| total.add(pass.stored_energy(k)));
+        let blocks = 0..self.particles.len().div_ceil(BLOCK);
+        blocks.for_each(|block| total.add(self.energy_stored_in(block)));
         total.value()
     }
 
@@ -136,7 +129,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.tally = tally.clone();
         self.works = (!springs.is_empty()).then_some(*works);
         self.moves.clear();
-        self.forces_are_new = false;
+        self.forces_are_wanted = false;
         self.in_id_order.take();
         self.places.take();
         self.since_forces = Since::Unknown;
@@ -153,5 +146,30 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
 
     fn lists_made(&self) -> u64 {
         self.near.made
+    }
+}
+
+impl<L: LaneLaw> Crowd<L> {
+    /// Energy stored in the contacts of the discs of a block with walls and with discs ahead, J.
+    fn energy_stored_in(&self, block: usize) -> f64 {
+        let ahead = &self.particles[block * BLOCK..];
+        let first = block * BLOCK;
+        let places = first..(first + BLOCK).min(self.particles.len());
+        let mut stored = 0.0;
+        for &place in self.near.at_wall_among(&places) {
+            let disc = &self.particles[place as usize];
+            for plane in &self.planes {
+                let distance = plane.distance(disc.position);
+                if let Some(contact) = Contact::with_wall(disc, distance, plane.normal) {
+                    stored += self.law.stored_energy(&contact);
+                }
+            }
+        }
+        for &[a, b] in &self.near.pairs[self.near.pairs_of(block)] {
+            if let Some(contact) = Contact::between(&ahead[a as usize], &ahead[b as usize]) {
+                stored += self.law.stored_energy(&contact);
+            }
+        }
+        stored
     }
 }

@@ -7,7 +7,7 @@
 
 use super::lane_law::{ContactLanes, LaneLaw};
 use super::lanes::Lanes;
-use super::push::Largest;
+use super::largest::Largest;
 use crate::particle::Particle;
 
 /// Forces on four discs, N: the x and the y components.

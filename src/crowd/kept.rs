@@ -82,7 +82,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             return self.restore(snapshot);
         }
         self.moves.clear();
-        self.forces_are_new = false;
+        self.forces_are_wanted = false;
         self.store_as(&snapshot.ids);
         self.undo_resizing(*resized);
         for (disc, [position, velocity]) in self.particles.iter_mut().zip(moving) {
@@ -91,13 +91,12 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         self.works = has_ledger.then_some(snapshot.works);
         self.springs.resize(if *has_ledger { self.ids.len() } else { 0 }, DVec2::ZERO);
         self.near.restore(snapshot, &self.particles, &self.ids, &self.planes);
-        self.add_up_forces();
+        self.forces_are_wanted = true;
+        self.settle();
         if !forces.is_empty() {
             self.particles.iter_mut().zip(forces).for_each(|(disc, force)| disc.force = *force);
-            self.forces_are_new = false;
             self.since_forces = Since::Kicked;
         }
-        self.carry_out();
         self.tally = snapshot.tally.clone();
         self.in_id_order.take();
         self.places.take();

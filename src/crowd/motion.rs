@@ -21,7 +21,7 @@ pub(super) type Booked = [f64; 3];
 /// A block of discs and what lies beside them.
 pub(super) struct Block<'a> {
     pub particles: &'a mut [Particle],
-    /// The forces on them, N, if they have not been given to them yet.
+    /// The forces on them, N, if they have not been given to them yet; else empty.
     pub forces: &'a [DVec2],
     /// Springs' forces, N; empty without ledger.
     pub springs: &'a [DVec2],

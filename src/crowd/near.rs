@@ -29,10 +29,11 @@ const REFERENCE_ROUNDING: f64 = f32::EPSILON as f64;
 /// Near pairs of discs stored cell by cell, and what a pass over them needs.
 #[derive(Default)]
 pub(super) struct Near {
-    /// Places (in storage) of two discs that may touch, the lower first; ascending.
+    /// Places (in storage) of two discs that may touch, the lower first; ascending. Places are counted
+    /// from the first disc of the block of the lower.
     pub pairs: Vec<[u32; 2]>,
     /// Where in `pairs` those of each block of discs begin, by their first disc.
-    pub first_pair: Vec<u32>,
+    first_pair: Vec<u32>,
     /// For each disc, where in `triples` its parts begin.
     first_triple: Vec<u32>,
     /// The parts of each disc, by threes, so that a processor can guess how many there are: where in
@@ -41,6 +42,8 @@ pub(super) struct Near {
     triples: Vec<[u32; 3]>,
     /// The first pair that discs of each block, or of one after it, take part in.
     pub reaches_back_to: Vec<u32>,
+    /// One after the last place that pairs of each block, or of one before it, reach.
+    reaches_ahead_to: Vec<u32>,
     /// Pairs that are still needed when those of a block have been walked, at most; a power of two.
     pub pairs_at_a_time: usize,
     /// Places of the discs that may touch a wall, ascending.
@@ -112,6 +115,7 @@ impl Near {
         self.order_parts(ids);
         self.pairs_at_a_time = self.most_pairs_at_a_time();
         self.place_parts_in_ring();
+        self.count_places_from_blocks();
         let may_touch =
             |p: &Particle| planes.iter().any(|plane| plane.distance(p.position) < p.radius + skin);
         self.at_wall.clear();
@@ -239,6 +243,36 @@ impl Near {
         for part in self.triples.as_flattened_mut() {
             *part = if *part == u32::MAX { ring } else { *part & (ring - 1) };
         }
+    }
+
+    fn count_places_from_blocks(&mut self) {
+        self.reaches_ahead_to.clear();
+        let mut end = 0;
+        for block in 0..self.first_pair.len() - 1 {
+            let (pairs, first) = (self.pairs_of(block), (block * BLOCK) as u32);
+            for [a, b] in &mut self.pairs[pairs] {
+                end = end.max(*b + 1);
+                (*a, *b) = (*a - first, *b - first);
+            }
+            self.reaches_ahead_to.push(end);
+        }
+    }
+
+    /// Which of the `pairs` are those of a block.
+    pub fn pairs_of(&self, block: usize) -> Range<usize> {
+        self.first_pair[block] as usize..self.first_pair[block + 1] as usize
+    }
+
+    /// The discs that are looked at both by those who serve the blocks up to `block` and by those who begin
+    /// there: the first block, and all their places.
+    pub fn seam_at(&self, block: usize) -> (usize, Range<usize>) {
+        let middle = block * BLOCK;
+        let back = self.first_pair.partition_point(|&first| first <= self.reaches_back_to[block]);
+        let ahead = &self.reaches_ahead_to[..block];
+        let ahead_from = ahead.partition_point(|&end| end as usize <= middle);
+        let end = ahead.last().map_or(0, |&end| end as usize).max(middle);
+        let first_block = back.saturating_sub(1).min(ahead_from);
+        (first_block, first_block * BLOCK..end)
     }
 
     /// The parts of each of the discs at `places`.

@@ -1,6 +1,6 @@
 //! The threads that share a step.
 //!
-//! A step of ten thousand discs takes a fraction of a millisecond and is shared out twice. Waking a
+//! A step of ten thousand discs takes a fraction of a millisecond. Waking a
 //! sleeping thread takes a good part of that, so helpers wait for the next piece of work awake, for
 //! a while, before they go to sleep. What a helper that comes too late would have done, others have done.
 

@@ -1,0 +1,271 @@
+//! One pass over the discs: every contact is computed once, every disc adds its contacts up in ascending
+//! id of the partner, and then it moves.
+//!
+//! Pairs of a block of discs are walked first, then the discs of the block gather, then they move:
+//! nobody looks at them any more in this pass. A disc's other pairs were walked shortly before, with discs
+//! stored before it, so that only the last of the pairs' pushes are kept, in a ring that stays in the
+//! processor's nearest memory. Who begins in the middle walks some of the pairs before it too: the
+//! same numbers, computed twice, from copies of discs that another thread may have moved already.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use wide::f64x4;
+
+#[cfg(target_arch = "x86_64")]
+use super::avx2::Four;
+use super::lane_law::LaneLaw;
+use super::lanes::Lanes;
+use super::largest::Largest;
+use super::motion::{Block, Booked, Move};
+use super::near::Near;
+use super::ring::{Kept, Ring, Split, Whole};
+use super::seam::Seam;
+use super::{BLOCK, contact_lanes};
+use crate::force::HalfPlane;
+use crate::particle::{Contact, Particle};
+
+/// What a pass needs to know.
+pub(super) struct Pass<'a, L> {
+    pub law: &'a L,
+    pub planes: &'a [HalfPlane],
+    pub gravity: DVec2, // m/s2
+    pub near: &'a Near,
+    /// Whether forces are to be added up.
+    pub adds_up: bool,
+    /// Whether the springs' share of them is, too.
+    pub has_ledger: bool,
+    /// Whether somebody may ask for that share later.
+    pub keeps_springs: bool,
+    /// What the discs do then, and how many kicks are to be booked.
+    pub moves: &'a [Move],
+    pub kicks: usize,
+}
+
+/// What one thread does in a pass: the blocks of discs it serves, and where it puts what it finds.
+pub(super) struct Share<'a> {
+    pub blocks: Range<usize>,
+    pub particles: &'a mut [Particle],
+    pub springs: &'a mut [DVec2],
+    pub listed_at: &'a [[f32; 2]],
+    pub books: &'a mut [Booked],
+    /// Where it meets the thread before, and the one after.
+    pub seams: [&'a Seam; 2],
+    pub ring: &'a mut Ring,
+    pub found: &'a mut Found,
+}
+
+/// What is found on the way.
+#[derive(Clone, Default)]
+pub(super) struct Found {
+    pub largest: Largest,
+    /// The square of how far the farthest disc is from where it was listed, m2.
+    pub farthest: f64,
+}
+
+impl Found {
+    /// What both have found.
+    pub fn and(mut self, other: &Self) -> Self {
+        self.largest.join(&other.largest);
+        self.farthest = self.farthest.max(other.farthest);
+        self
+    }
+}
+
+impl<L: LaneLaw + Clone> Pass<'_, L> {
+    /// Adds up weight, walls and contacts of every disc of `share`, in this order, and moves it.
+    pub fn serve(&self, share: Share) {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(zero) = Four::on_this_processor() {
+            return zero.run(
+                #[inline(always)]
+                || self.serve_in(zero, share),
+            );
+        }
+        self.serve_in(f64x4::ZERO, share);
+    }
+
+    #[inline(always)]
+    fn serve_in<V: Lanes>(&self, zero: V, share: Share) {
+        let mut ring = std::mem::take(share.ring);
+        let kept = match self.has_ledger {
+            false => self.serve_with::<V, Whole>(zero, &mut ring.whole, share),
+            true => self.serve_with::<V, Split>(zero, &mut ring.split, share),
+        };
+        *kept = ring;
+    }
+
+    #[inline(always)]
+    fn serve_with<'a, V: Lanes, K: Kept<V>>(
+        &self,
+        zero: V,
+        ring: &mut Vec<[K::Stored; 2]>,
+        share: Share<'a>,
+    ) -> &'a mut Ring {
+        let Share { blocks, particles, springs, listed_at, books, seams, ring: kept, found } =
+            share;
+        let first = blocks.start * BLOCK;
+        let mut books = books.chunks_mut(self.kicks.max(1));
+        let mut at_hand = [[DVec2::ZERO; BLOCK]; 2];
+        if self.adds_up {
+            self.begin::<V, K>(zero, ring, seams[0], blocks.start);
+        }
+        for block in blocks {
+            let start = block * BLOCK - first;
+            let here = start..(start + BLOCK).min(particles.len());
+            let [forces, springs_at_hand] = &mut at_hand;
+            let forces = &mut forces[..if self.adds_up { here.len() } else { 0 }];
+            let springs = match springs.get_mut(here.clone()) {
+                Some(springs) if self.keeps_springs || !self.adds_up => springs,
+                _ => &mut springs_at_hand[..if self.has_ledger { here.len() } else { 0 }],
+            };
+            if self.adds_up {
+                let ahead = match block < seams[1].first_block {
+                    true => &particles[start..],
+                    false => seams[1].discs_after(block),
+                };
+                self.walk::<V, K>(zero, self.near.pairs_of(block), ahead, ring, &mut found.largest);
+                let discs = &particles[here.clone()];
+                let largest = &mut found.largest;
+                self.gather::<V, K>(zero, discs, block * BLOCK, [forces, springs], ring, largest);
+            }
+            let listed_at = listed_at.get(here.clone()).unwrap_or_default();
+            let books = books.next().unwrap_or_default();
+            let block =
+                Block { particles: &mut particles[here], forces, springs, listed_at, books };
+            found.farthest = found.farthest.max(block.go(self.moves, self.gravity));
+        }
+        kept
+    }
+
+    /// Makes the ring ready for those who begin at `block`.
+    #[inline(always)]
+    fn begin<V: Lanes, K: Kept<V>>(
+        &self,
+        zero: V,
+        ring: &mut Vec<[K::Stored; 2]>,
+        seam: &Seam,
+        block: usize,
+    ) {
+        // Room for the pairs, and at the end for no force at all.
+        let nothing = [K::Stored::default(); 2];
+        ring.resize(self.near.pairs_at_a_time + 1, nothing);
+        ring[self.near.pairs_at_a_time] = nothing;
+        let reaches_back_to = self.near.reaches_back_to[block] as usize;
+        for before in seam.first_block..block {
+            let Range { start, end } = self.near.pairs_of(before);
+            let pairs = start.max(reaches_back_to)..end;
+            let discs = seam.discs_after(before);
+            self.walk::<V, K>(zero, pairs, discs, ring, &mut Largest::default());
+        }
+    }
+
+    /// Puts the forces of these pairs of one block into the ring; `discs` are the block's and those after.
+    #[inline(always)]
+    fn walk<V: Lanes, K: Kept<V>>(
+        &self,
+        zero: V,
+        pairs: Range<usize>,
+        discs: &[Particle],
+        ring: &mut [[K::Stored; 2]],
+        largest: &mut Largest,
+    ) {
+        if pairs.is_empty() {
+            return;
+        }
+        let law = self.law.clone();
+        let ring = &mut ring[..self.near.pairs_at_a_time]; // a power of two
+        let last = ring.len() - 1;
+        let mut pair = pairs.start;
+        let mut fours = self.near.pairs[pairs].chunks_exact(4);
+        for four in &mut fours {
+            let four = [four[0], four[1], four[2], four[3]];
+            let stored = stored::<L, V, K>(&law, zero, four, discs, largest);
+            (0..4).for_each(|k| ring[(pair + k) & last] = stored[k]);
+            pair += 4;
+        }
+        if let [first, ..] = fours.remainder() {
+            let mut four = [*first; 4];
+            four.iter_mut().zip(fours.remainder()).for_each(|(to, from)| *to = *from);
+            let stored = stored::<L, V, K>(&law, zero, four, discs, largest);
+            for (stored, _) in stored.into_iter().zip(fours.remainder()) {
+                ring[pair & last] = stored;
+                pair += 1;
+            }
+        }
+    }
+
+    /// Adds up the forces on `discs`, the first of which is stored at `first`: the whole, and the springs'.
+    #[inline(always)]
+    fn gather<V: Lanes, K: Kept<V>>(
+        &self,
+        zero: V,
+        discs: &[Particle],
+        first: usize,
+        [forces, springs]: [&mut [DVec2]; 2],
+        ring: &[[K::Stored; 2]],
+        largest: &mut Largest,
+    ) {
+        let places = first..first + discs.len();
+        let at_wall = self.near.at_wall_among(&places);
+        let weight = |disc: &Particle| K::start(zero, disc.mass * self.gravity, DVec2::ZERO);
+        let mut put = |here: usize, sum: K::Sum| {
+            let [force, spring] = K::of(sum);
+            forces[here] = force;
+            if K::HAS_SPRING {
+                springs[here] = spring;
+            }
+        };
+        let (triples, ring) = (self.near.triples_of(places), ring.as_flattened());
+        let all = discs.iter().zip(triples).enumerate();
+        if at_wall.is_empty() {
+            all.for_each(|(here, (disc, triples))| {
+                put(here, K::plus_all(weight(disc), triples, ring));
+            });
+            return;
+        }
+        let mut at_wall = at_wall.iter().map(|&place| place as usize - first).peekable();
+        for (here, (disc, triples)) in all {
+            let start = match at_wall.next_if_eq(&here) {
+                None => weight(disc),
+                Some(_) => {
+                    let [force, spring] = self.touch_walls(disc, largest);
+                    K::start(zero, force, spring)
+                }
+            };
+            put(here, K::plus_all(start, triples, ring));
+        }
+    }
+
+    /// Weight and walls: the whole force and the springs' share, N.
+    fn touch_walls(&self, disc: &Particle, largest: &mut Largest) -> [DVec2; 2] {
+        let (mut force, mut spring) = (disc.mass * self.gravity, DVec2::ZERO);
+        for plane in self.planes {
+            let distance = plane.distance(disc.position);
+            if let Some(contact) = Contact::with_wall(disc, distance, plane.normal) {
+                force -= self.law.push(&contact) * contact.normal;
+                spring -= self.law.spring(&contact) * contact.normal;
+                let wall = &mut largest.tally.largest_wall_overlap;
+                *wall = wall.max(contact.overlap / disc.radius);
+            }
+        }
+        [force, spring]
+    }
+}
+
+/// What is to be stored of the contacts of four pairs of `discs`.
+#[inline(always)]
+fn stored<L: LaneLaw, V: Lanes, K: Kept<V>>(
+    law: &L,
+    zero: V,
+    [a, b, c, d]: [[u32; 2]; 4],
+    discs: &[Particle],
+    largest: &mut Largest,
+) -> [[K::Stored; 2]; 4] {
+    let at = |place: u32| &discs[place as usize];
+    let side = |k: usize| [at(a[k]), at(b[k]), at(c[k]), at(d[k])];
+    match contact_lanes::forces(law, zero, [side(0), side(1)], largest) {
+        Some(forces) => K::stored(forces),
+        None => [[K::Stored::default(); 2]; 4],
+    }
+}
