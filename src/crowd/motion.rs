@@ -21,8 +21,6 @@ pub(super) type Booked = [f64; 3];
 /// A block of discs and what lies beside them.
 pub(super) struct Block<'a> {
     pub particles: &'a mut [Particle],
-    /// The forces on them, N, if they have not been given to them yet; else empty.
-    pub forces: &'a [DVec2],
     /// Springs' forces, N; empty without ledger.
     pub springs: &'a [DVec2],
     pub listed_at: &'a [[f32; 2]],
@@ -34,10 +32,7 @@ impl Block<'_> {
     /// Moves the discs under `gravity` (m/s2) and says how far the farthest is from where it was listed:
     /// the square of it, m2.
     pub fn go(self, moves: &[Move], gravity: DVec2) -> f64 {
-        let Self { particles, forces, springs, listed_at, books } = self;
-        for (disc, force) in particles.iter_mut().zip(forces) {
-            disc.force = *force;
-        }
+        let Self { particles, springs, listed_at, books } = self;
         let mut books = books.iter_mut();
         // The last drift goes with a look at where it leads, and with the kick before it.
         let (before, last) = match moves {

@@ -18,7 +18,7 @@ use crate::particle::Particle;
 
 /// What a walk over one near pair costs in a step, over what making the list costs a disc. Measured
 /// once; it decides the skin, and no result depends on it.
-const COST_OF_PAIR: f64 = 0.04;
+const COST_OF_PAIR: f64 = 0.028;
 
 /// Bounds of the skin, in mean radii.
 const SKIN: Range<f64> = 0.05..4.0;

@@ -106,15 +106,13 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
             share;
         let first = blocks.start * BLOCK;
         let mut books = books.chunks_mut(self.kicks.max(1));
-        let mut at_hand = [[DVec2::ZERO; BLOCK]; 2];
+        let mut springs_at_hand = [DVec2::ZERO; BLOCK];
         if self.adds_up {
             self.begin::<V, K>(zero, ring, seams[0], blocks.start);
         }
         for block in blocks {
             let start = block * BLOCK - first;
             let here = start..(start + BLOCK).min(particles.len());
-            let [forces, springs_at_hand] = &mut at_hand;
-            let forces = &mut forces[..if self.adds_up { here.len() } else { 0 }];
             let springs = match springs.get_mut(here.clone()) {
                 Some(springs) if self.keeps_springs || !self.adds_up => springs,
                 _ => &mut springs_at_hand[..if self.has_ledger { here.len() } else { 0 }],
@@ -124,15 +122,14 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
                     true => &particles[start..],
                     false => seams[1].discs_after(block),
                 };
-                self.walk::<V, K>(zero, self.near.pairs_of(block), ahead, ring, &mut found.largest);
-                let discs = &particles[here.clone()];
                 let largest = &mut found.largest;
-                self.gather::<V, K>(zero, discs, block * BLOCK, [forces, springs], ring, largest);
+                self.walk::<V, K>(zero, self.near.pairs_of(block), ahead, ring, largest);
+                let discs = &mut particles[here.clone()];
+                self.gather::<V, K>(zero, discs, block * BLOCK, springs, ring, largest);
             }
             let listed_at = listed_at.get(here.clone()).unwrap_or_default();
             let books = books.next().unwrap_or_default();
-            let block =
-                Block { particles: &mut particles[here], forces, springs, listed_at, books };
+            let block = Block { particles: &mut particles[here], springs, listed_at, books };
             found.farthest = found.farthest.max(block.go(self.moves, self.gravity));
         }
         kept
@@ -195,45 +192,34 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
         }
     }
 
-    /// Adds up the forces on `discs`, the first of which is stored at `first`: the whole, and the springs'.
+    /// Adds up the forces on `discs`, the first of which is stored at `first`, and the springs' share.
     #[inline(always)]
     fn gather<V: Lanes, K: Kept<V>>(
         &self,
         zero: V,
-        discs: &[Particle],
+        discs: &mut [Particle],
         first: usize,
-        [forces, springs]: [&mut [DVec2]; 2],
+        springs: &mut [DVec2],
         ring: &[[K::Stored; 2]],
         largest: &mut Largest,
     ) {
         let places = first..first + discs.len();
-        let at_wall = self.near.at_wall_among(&places);
-        let weight = |disc: &Particle| K::start(zero, disc.mass * self.gravity, DVec2::ZERO);
-        let mut put = |here: usize, sum: K::Sum| {
-            let [force, spring] = K::of(sum);
-            forces[here] = force;
+        let mut at_wall = self.near.at_wall_among(&places).iter();
+        let mut next_at_wall = at_wall.next().map(|&place| place as usize - first);
+        let (triples, ring) = (self.near.triples_of(places), ring.as_flattened());
+        for (here, (disc, triples)) in discs.iter_mut().zip(triples).enumerate() {
+            let start = if next_at_wall == Some(here) {
+                next_at_wall = at_wall.next().map(|&place| place as usize - first);
+                let [force, spring] = self.touch_walls(disc, largest);
+                K::start(zero, force, spring)
+            } else {
+                K::start(zero, disc.mass * self.gravity, DVec2::ZERO)
+            };
+            let [force, spring] = K::of(K::plus_all(start, triples, ring));
+            disc.force = force;
             if K::HAS_SPRING {
                 springs[here] = spring;
             }
-        };
-        let (triples, ring) = (self.near.triples_of(places), ring.as_flattened());
-        let all = discs.iter().zip(triples).enumerate();
-        if at_wall.is_empty() {
-            all.for_each(|(here, (disc, triples))| {
-                put(here, K::plus_all(weight(disc), triples, ring));
-            });
-            return;
-        }
-        let mut at_wall = at_wall.iter().map(|&place| place as usize - first).peekable();
-        for (here, (disc, triples)) in all {
-            let start = match at_wall.next_if_eq(&here) {
-                None => weight(disc),
-                Some(_) => {
-                    let [force, spring] = self.touch_walls(disc, largest);
-                    K::start(zero, force, spring)
-                }
-            };
-            put(here, K::plus_all(start, triples, ring));
         }
     }
 
