@@ -4,8 +4,11 @@
 //! up, an integrator turns it into motion. [`PlainDiscs`] is the plain way, one thing after the other;
 //! [`Crowd`](crate::crowd::Crowd) does the same for many discs, fast, and to the same bits.
 
+mod remembered;
+
 use glam::DVec2;
 
+pub use self::remembered::Remembered;
 use crate::force::{Force, Share, Tally};
 use crate::integrator::Motion;
 use crate::particle::Particle;
@@ -41,8 +44,12 @@ pub trait Discs: Motion + Send {
     fn act(&mut self, change: &mut dyn FnMut(&mut [Particle]));
     /// The same discs with one more force.
     fn with_force(self: Box<Self>, force: Box<dyn Force>) -> Box<dyn Discs>;
-    /// All that is remembered between two steps.
-    fn snapshot(&self) -> Snapshot;
+    /// All that is remembered between two steps, where it lies.
+    fn remembered(&self) -> Remembered<'_>;
+    /// A copy of it.
+    fn snapshot(&self) -> Snapshot {
+        self.remembered().copied()
+    }
     /// Goes back to what was remembered.
     fn restore(&mut self, snapshot: &Snapshot);
     /// Keeps what [`go_back`](Self::go_back) needs in `kept`, in place of what was there.
@@ -238,13 +245,17 @@ impl Discs for PlainDiscs {
         self
     }
 
-    fn snapshot(&self) -> Snapshot {
-        Snapshot {
-            particles: self.particles.clone(),
-            tally: self.tally.clone(),
+    fn remembered(&self) -> Remembered<'_> {
+        Remembered {
+            particles: &self.particles,
+            ids: &[],
+            tally: &self.tally,
             works: self.works,
             stored_energy: self.stored_energy,
-            ..Snapshot::default()
+            springs: &[],
+            listed_at: &[],
+            skin: 0.0,
+            limit_squared: 0.0,
         }
     }
 

@@ -5,8 +5,8 @@
 
 mod support;
 
-use parsim2d::output::checkpoint::container::{self, Content, Flaw};
-use parsim2d::output::checkpoint::{Checkpoint, Progress};
+use parsim2d::output::checkpoint::container::{self, Content, Flaw, Section};
+use parsim2d::output::checkpoint::{self, Checkpoint, Progress};
 use parsim2d::output::growing::Extent;
 use parsim2d::output::recorder::continued::Written;
 use parsim2d::scenario::Scenario;
@@ -56,10 +56,17 @@ fn checkpoint() -> Checkpoint {
     Checkpoint { scenario: scenario.to_toml(), progress: progress(500, [0.1; 5]), arrays }
 }
 
-fn sealed(sections: &[(String, Content)]) -> Vec<u8> {
+fn sealed(sections: &[(&str, Section)]) -> Vec<u8> {
     let mut bytes = Vec::new();
     container::write(&mut bytes, sections).unwrap();
     bytes
+}
+
+/// The same of sections that were read.
+fn sealed_again(sections: &[(String, Content)]) -> Vec<u8> {
+    let sections: Vec<_> =
+        sections.iter().map(|(name, content)| (name.as_str(), content.into())).collect();
+    sealed(&sections)
 }
 
 fn bits(array: &Array) -> Vec<u64> {
@@ -82,7 +89,7 @@ fn a_state_comes_back_with_every_bit_and_steps_on_alike() {
             state.arrays().into_iter().map(|(name, array)| (name.to_owned(), array)).collect()
         };
         let arrays = named(&simulation.state());
-        let state = State::from_arrays(&arrays).unwrap();
+        let state = State::from_arrays(arrays.clone()).unwrap();
         for ((name, there), (_, back)) in arrays.iter().zip(named(&state)) {
             assert_eq!(bits(there), bits(&back), "{name}");
         }
@@ -111,14 +118,14 @@ fn arrays_that_do_not_fit_each_other_are_refused_by_name() {
     for (at, (name, array)) in arrays.iter().enumerate() {
         let mut changed = arrays.clone();
         changed[at].1 = shorter(array);
-        let why = State::from_arrays(&changed).map(|_| ()).unwrap_err();
+        let why = State::from_arrays(changed.clone()).map(|_| ()).unwrap_err();
         assert!(why.contains(name.as_str()), "{name}: {why}");
         changed[at].1 = Array::Counts(vec![1, 2]);
-        let why = State::from_arrays(&changed).map(|_| ()).unwrap_err();
+        let why = State::from_arrays(changed.clone()).map(|_| ()).unwrap_err();
         assert!(why.contains(name.as_str()), "{name}: {why}");
         changed.remove(at);
         // Without a ledger there are no shares.
-        assert_eq!(State::from_arrays(&changed).is_ok(), name == "shares", "without {name}");
+        assert_eq!(State::from_arrays(changed.clone()).is_ok(), name == "shares", "without {name}");
     }
 }
 
@@ -131,6 +138,53 @@ fn a_checkpoint_begins_with_its_scenario_in_plain_text() {
     assert!(head[1].starts_with(b"section scenario text "));
     assert!(head.contains(&&b"n = 12"[..]) && head.contains(&&b"seed = 5"[..]));
     assert_eq!(Checkpoint::from_bytes(&bytes).unwrap(), checkpoint);
+}
+
+/// A checkpoint as the format tells it, put together from whole arrays.
+fn plainly_written(sections: &[(String, Content)]) -> Vec<u8> {
+    let mut file = b"parsim2d checkpoint 1\n".to_vec();
+    for (name, content) in sections {
+        let (kind, bytes) = match content {
+            Content::Text(text) => ("text", text.clone().into_bytes()),
+            Content::Array(array) => {
+                let kind = if matches!(array, Array::Counts(_)) { "u64" } else { "f64" };
+                (kind, bits(array).into_iter().flat_map(u64::to_le_bytes).collect())
+            }
+        };
+        let crc = crc32fast::hash(&bytes);
+        let head = format!("section {name} {kind} {} crc32 {crc:08x}\n", bytes.len());
+        file.extend([head.as_bytes(), &bytes, b"\n"].concat());
+    }
+    let crc = crc32fast::hash(&file);
+    file.extend(format!("end {} crc32 {crc:08x}\n", sections.len()).as_bytes());
+    file
+}
+
+#[test]
+fn a_file_written_a_piece_at_a_time_has_the_bytes_of_the_format() {
+    // Discs of more and of less than one piece, in rows of eight, four, two and one number.
+    for (n, is_crowd, ledger) in
+        [(12, false, true), (3000, false, true), (3000, true, true), (3000, true, false)]
+    {
+        let text = format!("{TEXT}placement = 'lattice'\n").replace("n = 12", &format!("n = {n}"));
+        let text = text.replace("radius = 4e-4", "radius = 2e-4");
+        let scenario = Scenario::from_toml(&text).unwrap();
+        let mut simulation = scenario.assemble(scenario.place().unwrap(), is_crowd);
+        if ledger {
+            simulation.keep_work_ledger();
+        }
+        (0..20).for_each(|_| simulation.step());
+        let progress = progress(20, [0.1; 5]);
+        let streamed = sealed(&checkpoint::sections(&text, &progress, simulation.arrays()));
+        let read = container::read(&streamed).unwrap();
+        assert!(streamed == plainly_written(&read), "{n} discs, a crowd: {is_crowd}");
+        let arrays = simulation.state().arrays();
+        assert_eq!(arrays.len() + 2, read.len());
+        for ((name, there), (other, back)) in arrays.iter().zip(&read[2..]) {
+            let Content::Array(back) = back else { panic!("{other} is a text") };
+            assert_eq!((*name, bits(there)), (other.as_str(), bits(back)));
+        }
+    }
 }
 
 proptest! {
@@ -167,7 +221,7 @@ proptest! {
     ) {
         let sections: Vec<(String, Content)> =
             arrays.iter().cloned().map(|(name, array)| (name, Content::Array(array))).collect();
-        let back = container::read(&sealed(&sections)).unwrap();
+        let back = container::read(&sealed_again(&sections)).unwrap();
         prop_assert_eq!(back.len(), arrays.len());
         for ((name, array), (other, content)) in arrays.iter().zip(&back) {
             let Content::Array(content) = content else { panic!("{other} is a text") };
@@ -253,11 +307,11 @@ fn a_damaged_section_is_named() {
 #[test]
 fn nothing_under_a_good_checksum_makes_a_reader_panic() {
     // Somebody may build a checkpoint by hand: what is inside is not believed either.
-    let whole = checkpoint();
+    let whole = sealed(&checkpoint().sections());
     let mut dice = Pcg64::seed_from_u64(2020);
     let (mut read, mut refused) = (0, 0);
     for _ in 0..tries() {
-        let mut sections = whole.sections();
+        let mut sections = container::read(&whole).unwrap();
         let at = dice.random_range(0..sections.len());
         match &mut sections[at].1 {
             Content::Text(text) => {
@@ -274,12 +328,13 @@ fn nothing_under_a_good_checksum_makes_a_reader_panic() {
             }
             Content::Array(Array::Counts(counts)) => counts[0] = dice.random(),
         }
-        let outcome = Checkpoint::from_bytes(&sealed(&sections)).map_err(|why| why.to_string());
-        let outcome = outcome.and_then(|Checkpoint { scenario, progress, arrays }| {
+        let outcome =
+            Checkpoint::from_bytes(&sealed_again(&sections)).map_err(|why| why.to_string());
+        let outcome = outcome.and_then(|Checkpoint { scenario, progress, mut arrays }| {
             let changes = Settings::default();
-            Scenario::continued(&scenario, &arrays, &progress.written, changes)
+            Scenario::continued(&scenario, &mut arrays, &progress.written, changes)
                 .map_err(|why| why.to_string())?;
-            State::from_arrays(&arrays)
+            State::from_arrays(arrays)
         });
         if outcome.is_ok() { read += 1 } else { refused += 1 }
     }

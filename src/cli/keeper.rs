@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::typed::quoted;
 use crate::analysis::guard::{Guard, Memory};
 use crate::output::OutputError;
-use crate::output::checkpoint::{self, Checkpoint, Progress};
+use crate::output::checkpoint::{self, Progress};
 use crate::output::recorder::Recorder;
 use crate::scenario::Scenario;
 use crate::simulation::Simulation;
@@ -64,11 +64,11 @@ impl Keeper {
     ) -> Result<(), OutputError> {
         self.last_at = Instant::now(); // also if it fails: no sooner again
         let progress = progress(origin, simulation, guard.memory(), recorder)?;
-        let mut arrays = scenario.arrays();
-        let state = simulation.state().arrays();
-        arrays.extend(state.into_iter().map(|(name, array)| (name.to_owned(), array)));
-        let checkpoint = Checkpoint { scenario: scenario.to_toml(), progress, arrays };
-        checkpoint.write(&self.folder, self.last.is_some())?;
+        let text = scenario.to_toml();
+        // Looked at where they are: a copy of all discs would be the largest thing in memory.
+        let arrays = scenario.arrays().into_iter().chain(simulation.arrays());
+        let sections = checkpoint::sections(&text, &progress, arrays);
+        checkpoint::write(&self.folder, &sections, self.last.is_some())?;
         self.last_at = Instant::now();
         self.last = Some(simulation.steps());
         Ok(())

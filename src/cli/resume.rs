@@ -97,10 +97,11 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let from = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     let from = from.unwrap_or(Path::new("."));
     let checkpoint = Checkpoint::read(&file).map_err(|why| unreadable(&file, &why))?;
-    let Checkpoint { scenario: text, progress, arrays } = checkpoint;
+    let Checkpoint { scenario: text, progress, mut arrays } = checkpoint;
     let progress = &progress;
     let changes = arguments.changes(from);
-    let (scenario, has_new_end) = Scenario::continued(&text, &arrays, &progress.written, changes)?;
+    let (scenario, has_new_end) =
+        Scenario::continued(&text, &mut arrays, &progress.written, changes)?;
     let simulation = simulation(&scenario, progress, arrays)
         .map_err(|why| refusal(&file, format!("cannot resume from {}: {why}", file.display())))?;
     check_end(&scenario, progress)?;
@@ -131,8 +132,7 @@ fn simulation(
     progress: &Progress,
     arrays: Vec<(String, Array)>,
 ) -> Result<Simulation, String> {
-    let state = State::from_arrays(&arrays)?;
-    drop(arrays); // of a million discs they are many
+    let state = State::from_arrays(arrays)?;
     let particles = state.particles();
     let (n, said) = (particles.len(), scenario.n());
     if n != said {

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::kept::{Resized, Since};
 use super::{BLOCK, Crowd, LaneLaw};
-use crate::discs::{Discs, Kept, PlainDiscs, Snapshot};
+use crate::discs::{Discs, Kept, PlainDiscs, Remembered, Snapshot};
 use crate::force::{Contacts, Force, Tally, Walls};
 use crate::integrator::Motion;
 use crate::neighbours::Neighbours;
@@ -107,15 +107,15 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         Box::new(discs.with_books(tally, works)).with_force(force)
     }
 
-    fn snapshot(&self) -> Snapshot {
-        Snapshot {
-            particles: self.particles.clone(),
-            ids: self.ids.clone(),
-            tally: self.tally.clone(),
+    fn remembered(&self) -> Remembered<'_> {
+        Remembered {
+            particles: &self.particles,
+            ids: &self.ids,
+            tally: &self.tally,
             works: self.works.unwrap_or_default(),
             stored_energy: 0.0,
-            springs: self.springs.clone(),
-            listed_at: self.near.listed_at.clone(),
+            springs: &self.springs,
+            listed_at: &self.near.listed_at,
             skin: self.near.skin,
             limit_squared: self.near.limit_squared,
         }

@@ -19,6 +19,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use self::container::{FORMAT, Flaw};
+pub use self::write::{sections, write};
 use super::OutputError;
 use super::recorder::continued::Written;
 use crate::simulation::state::Array;

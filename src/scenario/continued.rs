@@ -12,6 +12,7 @@ use crate::output::recorder::OutputPlan;
 use crate::output::recorder::continued::Written;
 use crate::particle::Particle;
 use crate::simulation::state::Array;
+use crate::simulation::state::view::ArrayView;
 
 /// Name of the array with the discs of `--start`.
 const FRAME: &str = "frame";
@@ -21,20 +22,19 @@ const PER_DISC: usize = 6;
 impl Scenario {
     /// What the text of the scenario does not hold: the discs of `--start`, whose file may be gone by the
     /// time the run goes on.
-    pub fn arrays(&self) -> Vec<(String, Array)> {
+    pub fn arrays(&self) -> Vec<(&'static str, ArrayView<'_>)> {
         let DiscSource::Frame { discs, .. } = &self.discs else { return Vec::new() };
         let of_disc = |p: Particle| {
             [p.position.x, p.position.y, p.velocity.x, p.velocity.y, p.radius, p.mass]
         };
-        let numbers = discs.iter().flat_map(of_disc).collect();
-        vec![(FRAME.to_owned(), Array::Numbers(numbers))]
+        vec![(FRAME, ArrayView::of_numbers(discs.iter().map(of_disc)))]
     }
 
-    /// The scenario of a checkpoint, from its `text` and `arrays`, with the `changes` said now; and whether they
+    /// The scenario of a checkpoint, from its `text` and `arrays`, of which its own is taken, with the `changes` said now; and whether they
     /// give it a new end. That leaves the intervals of the files as they were `written`, default or not.
     pub fn continued(
         text: &str,
-        arrays: &[(String, Array)],
+        arrays: &mut Vec<(String, Array)>,
         written: &Written,
         changes: Settings,
     ) -> Result<(Self, bool), ScenarioError> {
@@ -47,7 +47,8 @@ impl Scenario {
             settings.every = settings.every.or_else(|| whole(written.frame_every));
             settings.energy_every = settings.energy_every.or_else(|| whole(written.energy_every));
         }
-        let frame = arrays.iter().find(|(name, _)| name == FRAME).map(|(_, array)| match array {
+        let frame = arrays.iter().position(|(name, _)| name == FRAME);
+        let frame = frame.map(|at| match arrays.swap_remove(at).1 {
             Array::Numbers(numbers) => numbers.chunks_exact(PER_DISC).map(disc).collect(),
             Array::Counts(_) => FramedDiscs::default(),
         });

@@ -1,9 +1,12 @@
 //! A state as named arrays, to be written down and read back with every bit.
 
+pub mod view;
+
 use glam::DVec2;
 
-use super::State;
-use crate::discs::Snapshot;
+use self::view::ArrayView;
+use super::{Simulation, State};
+use crate::discs::{Remembered, Snapshot};
 use crate::force::{Share, Tally};
 use crate::particle::Particle;
 use crate::work::{Sum, Works};
@@ -38,43 +41,16 @@ impl State {
 
     /// Everything in the state, by name. Whoever stores these need not know what they are.
     pub fn arrays(&self) -> Vec<(&'static str, Array)> {
-        let of_disc = |p: &Particle| {
-            let (x, v, f) = (p.position, p.velocity, p.force);
-            [x.x, x.y, v.x, v.y, f.x, f.y, p.radius, p.mass]
-        };
-        let Snapshot { particles, ids, tally, works, stored_energy, .. } = &self.discs;
-        let Snapshot { springs, listed_at, skin, limit_squared, .. } = &self.discs;
-        let Tally { largest_pair_overlap, largest_sinking, largest_wall_overlap, shares } = tally;
-        let Works { gravity, spring, dashpot, external } = works;
-        let sums = [gravity, spring, dashpot, external].map(|sum| [sum.value, sum.carry]);
-        let overlaps = vec![*largest_pair_overlap, *largest_sinking, *largest_wall_overlap];
-        let mut arrays = vec![
-            ("steps", Array::Counts(vec![self.steps])),
-            ("overlaps", Array::Numbers(overlaps)),
-            ("works", Array::Numbers(sums.concat())),
-            ("stored_energy", Array::Numbers(vec![*stored_energy])),
-            ("particles", Array::Numbers(particles.iter().flat_map(of_disc).collect())),
-        ];
-        if let Some(shares) = shares {
-            let of_share = |s: &Share| [s.spring.to_array(), s.dashpot.to_array()].concat();
-            arrays.push(("shares", Array::Numbers(shares.iter().flat_map(of_share).collect())));
-        }
-        if self.is_of_crowd() {
-            let springs = springs.iter().flat_map(|spring| spring.to_array()).collect();
-            let listed_at = listed_at.as_flattened().iter().map(|x| f64::from(*x)).collect();
-            arrays.push(("ids", Array::Counts(ids.iter().map(|id| u64::from(*id)).collect())));
-            arrays.push(("springs", Array::Numbers(springs)));
-            arrays.push(("listed_at", Array::Numbers(listed_at)));
-            arrays.push(("list", Array::Numbers(vec![*skin, *limit_squared])));
-        }
-        arrays
+        let views = views(self.discs.remembered(), self.steps);
+        views.into_iter().map(|(name, view)| (name, view.to_array())).collect()
     }
 
     /// The state that [`arrays`](Self::arrays) came from. Names that belong to no state are left alone.
     ///
     /// Fails, with the array's name, where one is missing or does not fit the others.
-    pub fn from_arrays(arrays: &[(String, Array)]) -> Result<Self, String> {
-        let steps = match find(arrays, "steps") {
+    pub fn from_arrays(mut arrays: Vec<(String, Array)>) -> Result<Self, String> {
+        let arrays = &mut arrays;
+        let steps = match take(arrays, "steps") {
             Some(Array::Counts(steps)) if steps.len() == 1 => steps[0],
             _ => return Err("array steps: one count is wanted".to_owned()),
         };
@@ -85,9 +61,9 @@ impl State {
             .collect();
         let stored_energy = numbers(arrays, "stored_energy", 1)?[0];
         let particles = particles(arrays)?;
-        let shares = match find(arrays, "shares") {
-            None => None,
-            Some(_) => Some(numbers(arrays, "shares", PER_SHARE * particles.len())?),
+        let shares = match arrays.iter().any(|(name, _)| name == "shares") {
+            false => None,
+            true => Some(numbers(arrays, "shares", PER_SHARE * particles.len())?),
         };
         let of_share =
             |s: &[f64]| Share { spring: DVec2::new(s[0], s[1]), dashpot: DVec2::new(s[2], s[3]) };
@@ -104,23 +80,66 @@ impl State {
     }
 }
 
+impl Simulation {
+    /// The arrays of the present [`state`](Self::state), without a copy of anything.
+    pub fn arrays(&self) -> Vec<(&'static str, ArrayView<'_>)> {
+        views(self.discs.remembered(), self.steps)
+    }
+}
+
+/// The arrays of a state by name.
+fn views(discs: Remembered, steps: u64) -> Vec<(&'static str, ArrayView)> {
+    let of_disc = |p: &Particle| {
+        let (x, v, f) = (p.position, p.velocity, p.force);
+        [x.x, x.y, v.x, v.y, f.x, f.y, p.radius, p.mass]
+    };
+    let Remembered { particles, ids, tally, works, stored_energy, .. } = discs;
+    let Remembered { springs, listed_at, skin, limit_squared, .. } = discs;
+    let Tally { largest_pair_overlap, largest_sinking, largest_wall_overlap, shares } = tally;
+    let Works { gravity, spring, dashpot, external } = works;
+    let sums = [gravity, spring, dashpot, external].map(|sum| [sum.value, sum.carry]);
+    let overlaps = [*largest_pair_overlap, *largest_sinking, *largest_wall_overlap];
+    let mut views = vec![
+        ("steps", ArrayView::of_counts([steps].into_iter())),
+        ("overlaps", ArrayView::of_numbers([overlaps].into_iter())),
+        ("works", ArrayView::of_numbers(sums.into_iter())),
+        ("stored_energy", ArrayView::of_numbers([[stored_energy]].into_iter())),
+        ("particles", ArrayView::of_numbers(particles.iter().map(of_disc))),
+    ];
+    if let Some(shares) = shares {
+        let of_share = |s: &Share| [s.spring.x, s.spring.y, s.dashpot.x, s.dashpot.y];
+        views.push(("shares", ArrayView::of_numbers(shares.iter().map(of_share))));
+    }
+    if !ids.is_empty() {
+        let listed_at = listed_at.iter().map(|place| place.map(f64::from));
+        views.push(("ids", ArrayView::of_counts(ids.iter().map(|id| u64::from(*id)))));
+        views.push(("springs", ArrayView::of_numbers(springs.iter().map(DVec2::to_array))));
+        views.push(("listed_at", ArrayView::of_numbers(listed_at)));
+        views.push(("list", ArrayView::of_numbers([[skin, limit_squared]].into_iter())));
+    }
+    views
+}
+
 /// `plain` with what a crowd remembers besides, if it is the state of one.
-fn with_crowd(plain: Snapshot, arrays: &[(String, Array)]) -> Result<Snapshot, String> {
+fn with_crowd(plain: Snapshot, arrays: &mut Vec<(String, Array)>) -> Result<Snapshot, String> {
     let n = plain.particles.len();
-    let ids = match find(arrays, "ids") {
+    let ids: Vec<u32> = match take(arrays, "ids") {
         None => return Ok(plain),
-        Some(Array::Counts(ids)) if is_permutation(ids, n) => ids,
+        Some(Array::Counts(ids)) if is_permutation(&ids, n) => {
+            ids.iter().map(|id| *id as u32).collect()
+        }
         _ => return Err(format!("array ids: the numbers from 0 to {} are wanted", n - 1)),
     };
-    let springs = match find(arrays, "springs") {
-        Some(Array::Numbers(none)) if none.is_empty() => none,
-        _ => numbers(arrays, "springs", 2 * n)?,
+    let springs = match take(arrays, "springs") {
+        Some(Array::Numbers(numbers)) if [0, 2 * n].contains(&numbers.len()) => numbers,
+        other => fitting("springs", 2 * n, other)?,
     };
+    let springs = springs.chunks_exact(2).map(|s| DVec2::new(s[0], s[1])).collect();
     let listed_at = numbers(arrays, "listed_at", 2 * n)?;
     let list = numbers(arrays, "list", 2)?;
     Ok(Snapshot {
-        ids: ids.iter().map(|id| *id as u32).collect(),
-        springs: springs.chunks_exact(2).map(|s| DVec2::new(s[0], s[1])).collect(),
+        ids,
+        springs,
         listed_at: listed_at.chunks_exact(2).map(|x| [x[0] as f32, x[1] as f32]).collect(),
         skin: list[0],
         limit_squared: list[1],
@@ -138,8 +157,8 @@ fn is_permutation(ids: &[u64], n: usize) -> bool {
     ids.len() == n && ids.iter().all(&mut mark)
 }
 
-fn particles(arrays: &[(String, Array)]) -> Result<Vec<Particle>, String> {
-    let Some(Array::Numbers(numbers)) = find(arrays, "particles") else {
+fn particles(arrays: &mut Vec<(String, Array)>) -> Result<Vec<Particle>, String> {
+    let Some(Array::Numbers(numbers)) = take(arrays, "particles") else {
         return Err("array particles: numbers are wanted".to_owned());
     };
     if numbers.is_empty() || numbers.len() % PER_DISC != 0 {
@@ -160,17 +179,20 @@ fn particles(arrays: &[(String, Array)]) -> Result<Vec<Particle>, String> {
     }
 }
 
-fn find<'a>(arrays: &'a [(String, Array)], name: &str) -> Option<&'a Array> {
-    arrays.iter().find(|(of, _)| of == name).map(|(_, array)| array)
+/// Takes the array `name` out: of a million discs none is kept longer than it is needed.
+fn take(arrays: &mut Vec<(String, Array)>, name: &str) -> Option<Array> {
+    let at = arrays.iter().position(|(of, _)| of == name)?;
+    Some(arrays.swap_remove(at).1)
 }
 
-/// The numbers of the array `name`, which must be so `many`.
-fn numbers<'a>(
-    arrays: &'a [(String, Array)],
-    name: &str,
-    many: usize,
-) -> Result<&'a [f64], String> {
-    match find(arrays, name) {
+/// Takes out the numbers of the array `name`, which must be so `many`.
+fn numbers(arrays: &mut Vec<(String, Array)>, name: &str, many: usize) -> Result<Vec<f64>, String> {
+    fitting(name, many, take(arrays, name))
+}
+
+/// The numbers of `array`, called `name`, which must be so `many`.
+fn fitting(name: &str, many: usize, array: Option<Array>) -> Result<Vec<f64>, String> {
+    match array {
         Some(Array::Numbers(numbers)) if numbers.len() == many => Ok(numbers),
         Some(Array::Numbers(numbers)) => {
             Err(format!("array {name}: {} numbers where {many} are wanted", numbers.len()))

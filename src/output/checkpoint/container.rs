@@ -13,11 +13,16 @@
 //! a section its bytes, of the end line everything before it, so that no byte goes unchecked. Texts come
 //! first, so that `head` shows them. A reader need not know what the sections are.
 
+mod read;
+
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use crc32fast::Hasher;
 
+pub use self::read::{read, read_from};
 use crate::simulation::state::Array;
+use crate::simulation::state::view::ArrayView;
 
 /// The words before the format's number in the first line.
 pub const MAGIC: &str = "parsim2d checkpoint ";
@@ -25,7 +30,7 @@ pub const MAGIC: &str = "parsim2d checkpoint ";
 /// The format written here.
 pub const FORMAT: u32 = 1;
 
-/// What a section holds.
+/// What a section held, read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
     /// Text.
@@ -34,60 +39,84 @@ pub enum Content {
     Array(Array),
 }
 
-impl Content {
+/// A section about to be written.
+pub enum Section<'a> {
+    /// Text.
+    Text(Cow<'a, str>),
+    /// Numbers or counts.
+    Array(ArrayView<'a>),
+}
+
+impl Section<'_> {
     fn kind(&self) -> &'static str {
         match self {
             Self::Text(_) => "text",
-            Self::Array(Array::Numbers(_)) => "f64",
-            Self::Array(Array::Counts(_)) => "u64",
+            Self::Array(array) if array.has_counts() => "u64",
+            Self::Array(_) => "f64",
         }
     }
 
-    fn bytes(&self) -> Vec<u8> {
+    /// Number of bytes.
+    fn length(&self) -> usize {
         match self {
-            Self::Text(text) => text.as_bytes().to_vec(),
-            Self::Array(Array::Numbers(numbers)) => {
-                numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
-            }
-            Self::Array(Array::Counts(counts)) => {
-                counts.iter().flat_map(|count| count.to_le_bytes()).collect()
-            }
+            Self::Text(text) => text.len(),
+            Self::Array(array) => 8 * array.len(),
         }
     }
 
-    fn from_bytes(kind: &str, bytes: &[u8]) -> Option<Self> {
-        match kind {
-            "text" => Some(Self::Text(std::str::from_utf8(bytes).ok()?.to_owned())),
-            "f64" => Some(Self::Array(Array::Numbers(words(bytes, f64::from_le_bytes)?))),
-            "u64" => Some(Self::Array(Array::Counts(words(bytes, u64::from_le_bytes)?))),
-            _ => None,
+    /// Hands all bytes to `put`, some at a time: they are made anew each time, and never all at once.
+    fn put_bytes(&self, mut put: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
+        const SOME: usize = 1 << 16;
+        let array = match self {
+            Self::Text(text) => return put(text.as_bytes()),
+            Self::Array(array) => array,
+        };
+        let mut some = Vec::with_capacity(SOME);
+        let mut outcome = Ok(());
+        array.each_row(&mut |row| {
+            some.extend(row.iter().flat_map(|word| word.to_le_bytes()));
+            if some.len() + 8 * row.len() > SOME {
+                outcome = std::mem::replace(&mut outcome, Ok(())).and_then(|()| put(&some));
+                some.clear();
+            }
+        });
+        outcome?;
+        put(&some)
+    }
+}
+
+impl<'a> From<&'a Content> for Section<'a> {
+    fn from(content: &'a Content) -> Self {
+        match content {
+            Content::Text(text) => Self::Text(text.into()),
+            Content::Array(array) => Self::Array(array.into()),
         }
     }
 }
 
-/// Numbers of eight bytes each.
-fn words<T>(bytes: &[u8], from: impl Fn([u8; 8]) -> T) -> Option<Vec<T>> {
-    let (words, rest) = (bytes.chunks_exact(8), bytes.len() % 8);
-    let word = |word: &[u8]| word.try_into().map(&from).ok();
-    if rest == 0 { words.map(word).collect() } else { None }
-}
-
-/// Writes `sections` to `out`, in order.
-pub fn write(out: &mut impl Write, sections: &[(String, Content)]) -> io::Result<()> {
+/// Writes `sections` to `out`, in order, in memory for none of them.
+pub fn write(out: &mut impl Write, sections: &[(&str, Section)]) -> io::Result<()> {
     let mut sum = Hasher::new();
-    let mut put = |bytes: &[u8]| {
-        sum.update(bytes);
-        out.write_all(bytes)
-    };
-    put(format!("{MAGIC}{FORMAT}\n").as_bytes())?;
-    for (name, content) in sections {
-        let bytes = content.bytes();
-        put(section_line(name, content.kind(), bytes.len(), crc32fast::hash(&bytes)).as_bytes())?;
-        put(&bytes)?;
-        put(b"\n")?;
+    let first = format!("{MAGIC}{FORMAT}\n");
+    sum.update(first.as_bytes());
+    out.write_all(first.as_bytes())?;
+    for (name, section) in sections {
+        // The checksum stands before the bytes, which are gone through twice for it.
+        let mut of_section = Hasher::new();
+        section.put_bytes(|bytes| {
+            of_section.update(bytes);
+            Ok(())
+        })?;
+        let crc = of_section.clone().finalize();
+        let line = section_line(name, section.kind(), section.length(), crc);
+        out.write_all(line.as_bytes())?;
+        section.put_bytes(|bytes| out.write_all(bytes))?;
+        out.write_all(b"\n")?;
+        sum.update(line.as_bytes());
+        sum.combine(&of_section);
+        sum.update(b"\n");
     }
-    let crc = sum.finalize();
-    out.write_all(end_line(sections.len(), crc).as_bytes())
+    out.write_all(end_line(sections.len(), sum.finalize()).as_bytes())
 }
 
 fn section_line(name: &str, kind: &str, bytes: usize, crc: u32) -> String {
@@ -113,7 +142,7 @@ pub enum Flaw {
 }
 
 impl Flaw {
-    fn cut(at: usize) -> Self {
+    fn cut(at: u64) -> Self {
         Self::Damaged(format!("it ends after {at} bytes, in the middle"))
     }
 }
@@ -124,68 +153,4 @@ pub fn format(bytes: &[u8]) -> Result<u32, Flaw> {
     let line = rest.split(|&byte| byte == b'\n').next().unwrap_or_default();
     let number = std::str::from_utf8(line).ok().and_then(|line| line.parse().ok());
     number.ok_or(Flaw::Foreign)
-}
-
-/// Reads the sections of a whole file, `bytes`. Nothing is believed that does not agree with its
-/// checksum, and no memory is taken on the word of a length.
-pub fn read(bytes: &[u8]) -> Result<Vec<(String, Content)>, Flaw> {
-    match format(bytes)? {
-        FORMAT => {}
-        other => return Err(Flaw::OtherFormat(other)),
-    }
-    let first = format!("{MAGIC}{FORMAT}\n");
-    let mut at = first.len();
-    if !bytes.starts_with(first.as_bytes()) {
-        return Err(Flaw::cut(bytes.len()));
-    }
-    let mut sections = Vec::new();
-    loop {
-        let line = line_at(bytes, at)?;
-        if line.starts_with("end ") {
-            let right = end_line(sections.len(), crc32fast::hash(&bytes[..at]));
-            return match bytes.len() - at == right.len() && line == right {
-                true => Ok(sections),
-                false => Err(Flaw::Damaged("the checksum of the whole does not agree".to_owned())),
-            };
-        }
-        at += line.len();
-        let (section, length) = section_at(bytes, at, line)?;
-        sections.push(section);
-        at += length + 1;
-    }
-}
-
-/// The line that begins `at`, its end included.
-fn line_at(bytes: &[u8], at: usize) -> Result<&str, Flaw> {
-    const LONGEST: usize = 200;
-    let rest = bytes.get(at..).unwrap_or_default();
-    let rest = &rest[..rest.len().min(LONGEST)];
-    let Some(end) = rest.iter().position(|&byte| byte == b'\n') else {
-        return match rest.len() < LONGEST {
-            true => Err(Flaw::cut(bytes.len())),
-            false => Err(Flaw::Damaged(format!("no line begins at byte {at}"))),
-        };
-    };
-    std::str::from_utf8(&rest[..=end])
-        .map_err(|_| Flaw::Damaged(format!("the line at byte {at} is no text")))
-}
-
-/// The section announced by `line`, whose bytes begin `at`; and how many they are.
-fn section_at(bytes: &[u8], at: usize, line: &str) -> Result<((String, Content), usize), Flaw> {
-    let damaged = |what: String| Flaw::Damaged(what);
-    let words: Vec<&str> = line.split_whitespace().collect();
-    let ["section", name, kind, length, "crc32", _] = words[..] else {
-        return Err(damaged(format!("no section begins at byte {}", at - line.len())));
-    };
-    let length: usize =
-        length.parse().map_err(|_| damaged(format!("section {name} has no length")))?;
-    let end = at.checked_add(length).filter(|&end| end < bytes.len());
-    let body = &bytes[at..end.ok_or_else(|| Flaw::cut(bytes.len()))?];
-    let right = section_line(name, kind, length, crc32fast::hash(body));
-    if line != right || bytes[at + length] != b'\n' {
-        return Err(damaged(format!("the checksum of section {name} does not agree")));
-    }
-    let content = Content::from_bytes(kind, body)
-        .ok_or_else(|| damaged(format!("section {name} is not {kind}")))?;
-    Ok(((name.to_owned(), content), length))
 }

@@ -1,5 +1,7 @@
 //! The reading of checkpoints.
 
+use std::fs::File;
+use std::io::{self, BufReader};
 use std::path::Path;
 
 use super::container::{self, Content, Flaw};
@@ -9,16 +11,26 @@ use crate::output::recorder::continued::Written;
 impl Checkpoint {
     /// Reads the checkpoint at `path`.
     pub fn read(path: &Path) -> Result<Self, CheckpointError> {
-        let bytes = std::fs::read(path)
-            .map_err(|source| CheckpointError::Unreadable { path: path.to_owned(), source })?;
-        Self::from_bytes(&bytes)
+        let sections = || {
+            let file = File::open(path)?;
+            let size = file.metadata()?.len();
+            container::read_from(BufReader::new(file), size)
+        };
+        let sections: io::Result<_> = sections();
+        sections
+            .map_err(|source| CheckpointError::Unreadable { path: path.to_owned(), source })?
+            .and_then(Self::from_sections)
             .map_err(|flaw| CheckpointError::Flawed { path: path.to_owned(), flaw })
     }
 
     /// A checkpoint from the bytes of its file.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Flaw> {
+        Self::from_sections(container::read(bytes)?)
+    }
+
+    fn from_sections(sections: Vec<(String, Content)>) -> Result<Self, Flaw> {
         let (mut scenario, mut progress, mut arrays) = (None, None, Vec::new());
-        for (name, content) in container::read(bytes)? {
+        for (name, content) in sections {
             match (name.as_str(), content) {
                 ("scenario", Content::Text(text)) => scenario = Some(text),
                 ("progress", Content::Text(text)) => progress = Some(text),
