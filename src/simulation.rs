@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use crate::discs::{Discs, Kept, PlainDiscs, Snapshot};
+use crate::discs::{Discs, Kept, PlainDiscs, Remembered, Snapshot};
 use crate::force::Force;
 use crate::integrator::Integrator;
 use crate::particle::Particle;
@@ -143,6 +143,12 @@ impl Simulation {
     /// [`particles`](Self::particles).
     pub fn each_particle(&self) -> impl Iterator<Item = &Particle> {
         (0..self.discs.count()).map(|id| self.discs.particle(id))
+    }
+
+    /// The discs as they lie in memory, and the id of each; empty if they lie in id order.
+    pub fn as_stored(&self) -> (&[Particle], &[u32]) {
+        let Remembered { particles, ids, .. } = self.discs.remembered();
+        (particles, ids)
     }
 
     /// Number of discs.

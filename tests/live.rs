@@ -10,6 +10,7 @@ use parsim2d::output::live::LiveFrame;
 use parsim2d::output::live_writer::LiveWriter;
 use parsim2d::output::number::push_g9;
 use parsim2d::particle::Particle;
+use parsim2d::scenario::Scenario;
 use parsim2d::simulation::Simulation;
 
 const SIDE: f64 = 0.04; // m
@@ -82,6 +83,25 @@ fn the_thread_writes_what_the_run_itself_would() {
         simulation.step(); // the frame is of the moment at which it was handed over
         writer.wait().unwrap();
         assert!(fs::read(folder.path().join("out.txt")).unwrap() == expected);
+    }
+}
+
+#[test]
+fn the_thread_puts_the_discs_of_a_crowd_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    for populations in
+        ["n = 600\nradius = 2e-4", "n = 600\nradius = 2e-4\n[[population]]\nn = 50\nradius = 4e-4"]
+    {
+        let text = format!("seed = 3\nspeed = 0.3\n[[population]]\n{populations}\n");
+        let scenario = Scenario::from_toml(&text).unwrap();
+        let mut crowd = scenario.assemble(scenario.place().unwrap(), true);
+        (0..3).for_each(|_| crowd.step());
+        let (_, ids) = crowd.as_stored();
+        assert!(!ids.is_sorted(), "discs in id order need not be put in order");
+        let mut writer = LiveWriter::new(live(folder.path()));
+        writer.offer(&crowd).unwrap();
+        writer.wait().unwrap();
+        assert!(fs::read(folder.path().join("out.txt")).unwrap() == written_here(&crowd), "{text}");
     }
 }
 

@@ -115,9 +115,9 @@ impl Thread {
         let (frames, to_write) = channel::<Still>();
         let (back, written) = channel();
         let handle = Builder::new().name("out.txt".to_owned()).spawn(move || {
-            for room in to_write {
+            for mut room in to_write {
                 let begun = Instant::now();
-                let outcome = live.refresh_from(&room);
+                let outcome = live.refresh_from(&mut room);
                 let took = begun.elapsed();
                 if back.send(Written { room, took, outcome }).is_err() {
                     return; // the run is over

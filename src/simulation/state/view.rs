@@ -2,11 +2,14 @@
 
 use super::Array;
 
+/// What is shown some values at a time: counts, or the bits of numbers.
+type See<'a> = &'a mut dyn FnMut(&[u64]);
+
 /// Values of one kind, in order, made from what lies elsewhere while they are gone through.
 pub struct ArrayView<'a> {
     has_counts: bool,
     length: usize,
-    each_row: Box<dyn Fn(&mut dyn FnMut(&[u64])) + 'a>,
+    each_row: Box<dyn Fn(See) + 'a>,
 }
 
 impl<'a> ArrayView<'a> {
@@ -48,7 +51,7 @@ impl<'a> ArrayView<'a> {
     }
 
     /// Shows all values in order, some at a time: counts, or the bits of numbers.
-    pub fn each_row(&self, see: &mut dyn FnMut(&[u64])) {
+    pub fn each_row(&self, see: See) {
         (self.each_row)(see);
     }
 
