@@ -38,7 +38,7 @@ pub use self::lane_law::{ContactLanes, LaneLaw};
 pub use self::lanes::Lanes;
 use self::largest::Largest;
 use self::motion::{Booked, Move};
-use self::near::{Near, best_skin};
+use self::near::{Listed, Near, best_skin};
 use self::pass::{Found, Pass, Share};
 use self::ring::Ring;
 use self::seam::Seam;
@@ -254,7 +254,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         let mut order = cells.order(&self.particles);
         self.store(&mut order);
         let skin = skin(cells.density);
-        self.near.make(&self.particles, &self.ids, &self.planes, &cells, skin);
+        let Self { particles, ids, planes, .. } = self;
+        self.near.make(Listed { particles, ids, planes }, &cells, skin, &mut self.team);
     }
 
     /// Stores the discs in id order again.
@@ -267,7 +268,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         self.store(&mut order);
         self.in_id_order.take(); // the discs themselves may be about to change
         // Good for the energy of the present state; the next step stores the discs by cells again.
-        self.near.list_anywhere(&self.particles, &self.ids, &self.planes);
+        let Self { particles, ids, planes, .. } = self;
+        self.near.list_anywhere(Listed { particles, ids, planes }, &mut self.team);
         self.near.forget();
     }
 }

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::kept::{Resized, Since};
+use super::near::Listed;
 use super::{BLOCK, Crowd, LaneLaw};
 use crate::discs::{Discs, Kept, PlainDiscs, Remembered, Snapshot};
 use crate::force::{Contacts, Force, Tally, Walls};
@@ -133,7 +134,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.in_id_order.take();
         self.places.take();
         self.since_forces = Since::Unknown;
-        self.near.restore(snapshot, &self.particles, &self.ids, &self.planes);
+        let Self { particles, ids, planes, .. } = self;
+        self.near.restore(snapshot, Listed { particles, ids, planes }, &mut self.team);
     }
 
     fn keep(&self, kept: &mut Kept) {

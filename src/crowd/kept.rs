@@ -6,6 +6,7 @@
 use glam::DVec2;
 
 use super::motion::Move;
+use super::near::Listed;
 use super::{Crowd, LaneLaw};
 use crate::discs::{Discs, Kept, Snapshot};
 use crate::particle::Particle;
@@ -90,7 +91,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         }
         self.works = has_ledger.then_some(snapshot.works);
         self.springs.resize(if *has_ledger { self.ids.len() } else { 0 }, DVec2::ZERO);
-        self.near.restore(snapshot, &self.particles, &self.ids, &self.planes);
+        let Self { particles, ids, planes, .. } = self;
+        self.near.restore(snapshot, Listed { particles, ids, planes }, &mut self.team);
         self.forces_are_wanted = true;
         self.settle();
         if !forces.is_empty() {

@@ -5,16 +5,14 @@
 //! part, in ascending id of the partner: so its forces add up in one order, however the discs are
 //! stored, listed or shared out.
 
+mod make;
+
 use std::ops::Range;
 
 use glam::DVec2;
 
+pub(super) use self::make::Listed;
 use super::BLOCK;
-use super::cells::Cells;
-use crate::discs::Snapshot;
-use crate::force::HalfPlane;
-use crate::neighbours::largest_radius;
-use crate::particle::Particle;
 
 /// What a walk over one near pair costs in a step, over what making the list costs a disc. Measured
 /// once; it decides the skin, and no result depends on it.
@@ -22,9 +20,6 @@ const COST_OF_PAIR: f64 = 0.028;
 
 /// Bounds of the skin, in mean radii.
 const SKIN: Range<f64> = 0.05..4.0;
-
-/// Half of the spacing of numbers in [1, 2) that a reference position is kept in.
-const REFERENCE_ROUNDING: f64 = f32::EPSILON as f64;
 
 /// Near pairs of discs stored cell by cell, and what a pass over them needs.
 #[derive(Default)]
@@ -36,7 +31,7 @@ pub(super) struct Near {
     first_pair: Vec<u32>,
     /// For each disc, where in `triples` its parts begin.
     first_triple: Vec<u32>,
-    /// The parts of each disc, by threes, so that a processor can guess how many there are: where in
+    /// The parts of each disc, by threes and three at least, so that a processor can guess how many there are: where in
     /// the ring of forces they lie, twice the number of the pair (in the ring) and one more if the disc
     /// is the second of the two; or at its end, where there is no force, to fill the last three.
     triples: Vec<[u32; 3]>,
@@ -62,200 +57,10 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// A new list. `cells` tells where the discs, now stored cell by cell, lie; `skin` in m.
-    pub fn make(
-        &mut self,
-        particles: &[Particle],
-        ids: &[u32],
-        planes: &[HalfPlane],
-        cells: &Cells,
-        skin: f64,
-    ) {
-        self.skin = skin;
-        self.list_pairs(particles, cells, skin);
-        self.list_the_rest(particles, ids, planes, skin);
-        self.refer_to(particles);
-        self.made += 1;
-        self.is_there = true;
-    }
-
-    /// A list for discs to which `snapshot` goes back. They lie about where they were listed, so the skin
-    /// is twice as wide; the next list is made at the same step as the first time.
-    pub fn restore(
-        &mut self,
-        snapshot: &Snapshot,
-        particles: &[Particle],
-        ids: &[u32],
-        planes: &[HalfPlane],
-    ) {
-        let Snapshot { listed_at, skin, limit_squared, .. } = snapshot;
-        self.skin = *skin;
-        self.limit_squared = *limit_squared;
-        self.listed_at.clone_from(listed_at);
-        self.list_anywhere(particles, ids, planes);
-    }
-
-    /// Lists discs that are not stored cell by cell, with a skin twice as wide, and refers to no new
-    /// positions.
-    pub fn list_anywhere(&mut self, particles: &[Particle], ids: &[u32], planes: &[HalfPlane]) {
-        let skin = 2.0 * self.skin;
-        self.list_pairs_anywhere(particles, skin);
-        self.list_the_rest(particles, ids, planes, skin);
-        self.is_there = true;
-    }
-
-    fn list_the_rest(
-        &mut self,
-        particles: &[Particle],
-        ids: &[u32],
-        planes: &[HalfPlane],
-        skin: f64,
-    ) {
-        self.list_parts(particles.len());
-        self.order_parts(ids);
-        self.pairs_at_a_time = self.most_pairs_at_a_time();
-        self.place_parts_in_ring();
-        self.count_places_from_blocks();
-        let may_touch =
-            |p: &Particle| planes.iter().any(|plane| plane.distance(p.position) < p.radius + skin);
-        self.at_wall.clear();
-        let places = (0..particles.len() as u32).zip(particles);
-        self.at_wall.extend(places.filter(|(_, p)| may_touch(p)).map(|(place, _)| place));
-    }
-
-    /// The pairs of discs that are not stored cell by cell.
-    fn list_pairs_anywhere(&mut self, particles: &[Particle], skin: f64) {
-        let mut cells = Cells::default();
-        cells.lay_out(particles, |_| 2.0 * largest_radius(particles) + skin);
-        let order = cells.order(particles);
-        self.pairs.clear();
-        for (at, &place) in order.iter().enumerate() {
-            let p = &particles[place as usize];
-            for &other in cells.ahead_of(at, p.position).into_iter().flat_map(|run| &order[run]) {
-                let q = &particles[other as usize];
-                let reach = p.radius + q.radius + skin;
-                if p.position.distance_squared(q.position) < reach * reach {
-                    self.pairs.push([place.min(other), place.max(other)]);
-                }
-            }
-        }
-        self.pairs.sort_unstable();
-        let starts = (0..particles.len()).step_by(BLOCK);
-        let first =
-            |place: usize| self.pairs.partition_point(|pair| (pair[0] as usize) < place) as u32;
-        self.first_pair = starts.map(first).collect();
-        self.first_pair.push(self.pairs.len() as u32);
-    }
-
     /// Forgets the list: the next step makes a new one.
     pub fn forget(&mut self) {
         self.limit_squared = -1.0;
         self.is_there = false;
-    }
-
-    /// From now on discs are held against their present positions.
-    fn refer_to(&mut self, particles: &[Particle]) {
-        self.listed_at.clear();
-        self.listed_at.extend(particles.iter().map(|p| p.position.as_vec2().to_array()));
-        let farthest = particles.iter().map(|p| p.position.abs().max_element()).fold(0.0, f64::max);
-        // A little less than half the skin, for rounding, and what f32 takes off.
-        let limit = 0.499 * self.skin - 2.0 * REFERENCE_ROUNDING * farthest;
-        self.limit_squared = if limit > 0.0 { limit * limit } else { -1.0 };
-    }
-
-    fn list_pairs(&mut self, particles: &[Particle], cells: &Cells, skin: f64) {
-        self.pairs.clear();
-        self.first_pair.clear();
-        for (place, p) in particles.iter().enumerate() {
-            if place % BLOCK == 0 {
-                self.first_pair.push(self.pairs.len() as u32);
-            }
-            let reach = p.radius + skin;
-            for run in cells.ahead_of(place, p.position) {
-                for (other, q) in run.clone().zip(&particles[run]) {
-                    let reach = reach + q.radius;
-                    if p.position.distance_squared(q.position) < reach * reach {
-                        self.pairs.push([place as u32, other as u32]);
-                    }
-                }
-            }
-        }
-        self.first_pair.push(self.pairs.len() as u32);
-    }
-
-    /// Fills in who takes part in which pairs, in the order of the pairs.
-    fn list_parts(&mut self, n: usize) {
-        let first = &mut self.first_triple;
-        first.clear();
-        first.resize(n + 1, 0);
-        for place in self.pairs.as_flattened() {
-            first[*place as usize] += 1;
-        }
-        let mut end = 0;
-        for first in first.iter_mut() {
-            (*first, end) = (end, end + first.div_ceil(3));
-        }
-        let mut next: Vec<u32> = first.iter().map(|first| 3 * first).collect();
-        self.triples.clear();
-        self.triples.resize(end as usize, [u32::MAX; 3]);
-        let parts = self.triples.as_flattened_mut();
-        for (part, place) in (0..).zip(self.pairs.as_flattened()) {
-            let next = &mut next[*place as usize];
-            parts[*next as usize] = part;
-            *next += 1;
-        }
-    }
-
-    /// Puts every disc's parts into ascending id of the partner.
-    fn order_parts(&mut self, ids: &[u32]) {
-        let Self { pairs, first_triple, triples, reaches_back_to, .. } = self;
-        reaches_back_to.clear();
-        let partner = |part: u32| match part {
-            u32::MAX => u32::MAX, // none: at the end
-            _ => ids[pairs[part as usize / 2][1 - part as usize % 2] as usize],
-        };
-        let mut by_partner = Vec::new();
-        for (place, ends) in first_triple.windows(2).enumerate() {
-            let parts = triples[ends[0] as usize..ends[1] as usize].as_flattened_mut();
-            if place % BLOCK == 0 {
-                reaches_back_to.push(u32::MAX);
-            }
-            if let (Some(first), Some(lowest)) = (parts.first(), reaches_back_to.last_mut()) {
-                *lowest = (*lowest).min(first / 2);
-            }
-            by_partner.clear();
-            by_partner
-                .extend(parts.iter().map(|&part| u64::from(partner(part)) << 32 | u64::from(part)));
-            by_partner.sort_unstable();
-            parts.iter_mut().zip(&by_partner).for_each(|(part, &key)| *part = key as u32);
-        }
-        // Whoever begins at a block has all later ones to do, too.
-        let mut lowest = u32::MAX;
-        for reach in reaches_back_to.iter_mut().rev() {
-            lowest = lowest.min(*reach);
-            *reach = lowest;
-        }
-    }
-
-    /// Names parts by where in the ring they will lie.
-    fn place_parts_in_ring(&mut self) {
-        let ring = 2 * self.pairs_at_a_time as u32;
-        for part in self.triples.as_flattened_mut() {
-            *part = if *part == u32::MAX { ring } else { *part & (ring - 1) };
-        }
-    }
-
-    fn count_places_from_blocks(&mut self) {
-        self.reaches_ahead_to.clear();
-        let mut end = 0;
-        for block in 0..self.first_pair.len() - 1 {
-            let (pairs, first) = (self.pairs_of(block), (block * BLOCK) as u32);
-            for [a, b] in &mut self.pairs[pairs] {
-                end = end.max(*b + 1);
-                (*a, *b) = (*a - first, *b - first);
-            }
-            self.reaches_ahead_to.push(end);
-        }
     }
 
     /// Which of the `pairs` are those of a block.
@@ -279,12 +84,6 @@ impl Near {
     pub fn triples_of(&self, places: Range<usize>) -> impl Iterator<Item = &[[u32; 3]]> + Clone {
         let ends = self.first_triple[places.start..=places.end].windows(2);
         ends.map(|ends| &self.triples[ends[0] as usize..ends[1] as usize])
-    }
-
-    fn most_pairs_at_a_time(&self) -> usize {
-        let ends = self.first_pair.iter().skip(1);
-        let needed = ends.zip(&self.reaches_back_to).map(|(&end, &from)| end.saturating_sub(from));
-        (needed.max().unwrap_or(0) as usize + 1).next_power_of_two()
     }
 
     /// The discs near walls among `places`.
