@@ -1,11 +1,13 @@
 # parsim2d: the words of the lesson. `make` builds ./parSim2D.
 EXEC   = parSim2D
 CARGO  = cargo
+# Where cargo builds.
+TARGET = $(or $(CARGO_TARGET_DIR),target)
 ARGS   =                # e.g. make run ARGS="-n 1000 --radius 5e-4"
 
 $(EXEC): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	$(CARGO) build --release
-	cp target/release/parsim2d $(EXEC)
+	cp $(TARGET)/release/parsim2d $(EXEC)
 
 .PHONY: run live plot test check hash-matrix kill-test corruption-test disk-full-test bench scaling costs peers clean
 run: $(EXEC)            # simulate; writes out.txt, trajectory.txt, energy.csv
@@ -27,7 +29,7 @@ check:                  # what CI checks
 
 hash-matrix: $(EXEC)    # same bits on 1 to 8 threads, for dev and release builds, for any output
 	$(CARGO) build
-	sh tests/hash_matrix.sh target/debug/parsim2d ./$(EXEC)
+	sh tests/hash_matrix.sh $(TARGET)/debug/parsim2d ./$(EXEC)
 
 kill-test:              # 200 kills with SIGKILL at random moments; each run must end with the same bytes
 	PARSIM2D_KILLS=200 $(CARGO) test --test restart killed -- --nocapture
@@ -51,5 +53,5 @@ peers: $(EXEC)          # beside LAMMPS (apt-get install lammps), as a table
 	sh bench/peers/run.sh ./$(EXEC) --markdown
 
 clean:                  # what runs, plots and builds wrote
-	rm -f $(EXEC) out.txt trajectory.txt energy.csv last-run.toml failure.json *.tmp parsim2d.ckpt parsim2d.previous.ckpt replay.gif energy.png velocity.png
+	rm -f $(EXEC) out.txt trajectory.txt energy.csv last-run.toml failure.json *.tmp parsim2d.ckpt parsim2d.previous.ckpt .parsim2d.lock replay.gif energy.png velocity.png
 	$(CARGO) clean

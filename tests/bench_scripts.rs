@@ -52,6 +52,35 @@ fn the_bench_runs_every_scene_and_says_speed_memory_and_state() {
 }
 
 #[test]
+fn an_unknown_scene_is_refused_with_the_names_of_the_known() {
+    for unknown in ["guide", "bed-20k-no", "-no-ledger"] {
+        let output = outcome("run.sh", &["guide-20", unknown]);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for part in [&format!("there is no scene {unknown}\n"), "way out", "gas-100k"] {
+            assert!(message.contains(part), "{part:?} is not in\n{message}");
+        }
+    }
+}
+
+#[test]
+fn make_takes_the_program_from_where_cargo_builds() {
+    let make = |target: Option<&str>| {
+        let mut make = Command::new("make");
+        make.args(["--dry-run", "--always-make", "parSim2D"]);
+        make.current_dir(env!("CARGO_MANIFEST_DIR")).env_remove("CARGO_TARGET_DIR");
+        if let Some(target) = target {
+            make.env("CARGO_TARGET_DIR", target);
+        }
+        make.output().ok().map(|output| String::from_utf8(output.stdout).unwrap())
+    };
+    for (target, from) in [(None, "cp target/release/"), (Some("/else"), "cp /else/release/")] {
+        let Some(said) = make(target) else { return }; // there is no make
+        assert!(said.contains(from), "{said}");
+    }
+}
+
+#[test]
 fn the_costs_of_ledger_frames_and_bar_are_measured() {
     if Command::new("timeout").arg("--version").output().is_err() {
         return; // not everywhere; `make costs` says so there
