@@ -6,6 +6,9 @@ use serde::Serialize;
 
 use crate::analysis::answer::Answer;
 
+/// Discs from which on a person may want to know the memory.
+const MANY: usize = 10_000;
+
 /// What a finished run says of itself; the fields are the keys of `--json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case)] // a key's name ends with its unit
@@ -116,6 +119,9 @@ impl Summary {
             out,
             "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s{threads}"
         )?;
+        if let Some(memory) = self.peak_memory_MB.filter(|_| *n >= MANY) {
+            writeln!(out, "memory   at most {memory:.0} MB")?;
+        }
         write!(out, "energy   {start:.6e} J at start, {end:.6e} J at end")?;
         writeln!(out, "{}", dissipated.unwrap_or_default())?;
         if let Some(error) = self.energy_error_J.filter(|error| error.is_finite()) {

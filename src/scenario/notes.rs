@@ -23,6 +23,7 @@ impl Scenario {
             self.note_on_gravity(),
             self.note_on_stillness(discs),
             self.note_on_length(),
+            self.note_on_threads(),
             self.note_on_start(discs),
             self.note_on_lattice(),
         ];
@@ -92,13 +93,25 @@ impl Scenario {
         let particle_steps = self.n() as f64 * self.steps() as f64;
         let minutes = particle_steps / USUAL_SPEED / 60.0;
         (minutes > 5.0).then(|| {
+            let advice = match self.output.checkpoint_every {
+                Some(_) => "",
+                None => "; --checkpoint-every 10min keeps it from being lost",
+            };
             format!(
-                "a long run: {:.0e} particle-steps, some {} minutes at {:.0e} a second",
+                "a long run: {:.0e} particle-steps, some {} minutes at {:.0e} a second{advice}",
                 particle_steps,
                 round_up(minutes),
                 USUAL_SPEED
             )
         })
+    }
+
+    fn note_on_threads(&self) -> Option<String> {
+        let asked = self.output.threads.filter(|&threads| threads > self.threads())?;
+        let n = self.n();
+        Some(format!(
+            "--threads {asked}: {n} discs run on one, sharing pays from some thousands on"
+        ))
     }
 
     fn note_on_start(&self, discs: &[Particle]) -> Option<String> {

@@ -31,7 +31,7 @@ dimensions! {
     /// A mass.
     Mass: "kg" = 1.0, "g" = 1e-3, "mg" = 1e-6;
     /// A time.
-    Time: "s" = 1.0, "ms" = 1e-3, "us" = 1e-6, "ns" = 1e-9, "min" = 60.0;
+    Time: "s" = 1.0, "ms" = 1e-3, "us" = 1e-6, "ns" = 1e-9, "min" = 60.0, "h" = 3600.0;
     /// A speed.
     Speed: "m/s" = 1.0, "cm/s" = 1e-2, "mm/s" = 1e-3;
     /// An acceleration.
@@ -45,6 +45,14 @@ dimensions! {
     /// A plain number.
     Number: "" = 1.0;
 }
+
+/// A number of threads: whole, and [`MOST_THREADS`] at most, which is checked with the scenario.
+pub fn thread_count(text: &str) -> Result<i64, String> {
+    whole_number(text).map_err(|_| format!("not a whole number from 1 to {MOST_THREADS}"))
+}
+
+/// More threads than any machine of ours has; each takes memory.
+pub const MOST_THREADS: i64 = 256;
 
 /// Two quantities: the x and y of a vector.
 #[derive(Clone, Debug, Deserialize)]

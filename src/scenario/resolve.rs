@@ -4,7 +4,7 @@ use super::error::ScenarioError;
 use super::exclusive;
 use super::framed::FramedDiscs;
 use super::number::Num;
-use super::quantity::Quantity;
+use super::quantity::{MOST_THREADS, Quantity};
 use super::range::{finite, not_negative, positive, whole};
 use super::settings::{DtSetting, Settings};
 use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Scenario, StepChoice};
@@ -147,9 +147,6 @@ fn step_choice(
         (None, None) => Ok((usual, DtSetBy::Preset)),
     }
 }
-
-/// More threads than any machine of ours has; each takes memory.
-const MOST_THREADS: i64 = 256;
 
 fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
     let steps = |field, said: Option<i64>, least| {

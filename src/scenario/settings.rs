@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::preset::Preset;
 use super::quantity::{
     Acceleration, Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time,
-    whole_number,
+    thread_count, whole_number,
 };
 
 /// Declares the settings once; merges them field by field.
@@ -148,7 +148,7 @@ settings! {
     /// Threads that share the steps; the results are the same to the bit [default: one for few
     /// discs, all cores from 4000 on]
     #[arg(long, value_name = "T", allow_hyphen_values = true, help_heading = "Time")]
-    #[arg(value_parser = whole_number)]
+    #[arg(value_parser = thread_count)]
     threads: i64,
     /// Write parsim2d.ckpt every so many seconds of wall time, and at the end: `parsim2d resume` goes on
     /// from there [default: on Ctrl-C only]
