@@ -2,6 +2,7 @@
 
 mod answer;
 mod check;
+mod claim;
 mod doctor;
 mod drift;
 mod interrupt;
@@ -9,6 +10,7 @@ mod keeper;
 mod memory;
 mod plot;
 mod presets;
+mod refusal;
 mod report;
 mod resume;
 mod run;
@@ -32,6 +34,10 @@ pub fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
+            if let Some(refusal) = resume::flags::refusal(&error) {
+                let _ = writeln!(io::stderr(), "error: {refusal}");
+                return ExitCode::from(2);
+            }
             let _ = error.print(); // nowhere left to say that this failed
             return if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
         }
@@ -124,11 +130,11 @@ enum Failure {
     #[error(transparent)]
     Report(#[from] report::ReportError),
     #[error(transparent)]
-    Resume(#[from] resume::ResumeError),
+    Refused(#[from] refusal::Refusal),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
     UnknownCommand { word: String, known: String, advice: String },
-    #[error("{0}")]
-    WentWrong(Box<FailureReport>),
+    #[error("{report}{}", again.as_deref().unwrap_or_default())]
+    WentWrong { report: Box<FailureReport>, again: Option<String> },
     #[error("writing to standard output failed: {0}")]
     Stdout(#[from] io::Error),
 }
@@ -151,14 +157,14 @@ impl Failure {
 
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong(_) => {
+            Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong { .. } => {
                 ExitCode::FAILURE
             }
             Self::Scenario(_)
             | Self::Output(_)
             | Self::Plot(_)
             | Self::Report(_)
-            | Self::Resume(_)
+            | Self::Refused(_)
             | Self::UnknownCommand { .. } => ExitCode::from(2),
         }
     }

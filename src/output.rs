@@ -11,6 +11,7 @@ pub mod frames;
 pub mod growing;
 pub mod live;
 pub mod live_writer;
+pub mod lock;
 pub mod marks;
 pub mod number;
 pub mod record;
@@ -34,17 +35,25 @@ pub enum OutputError {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// Before the first step: the folder holds a checkpoint of another version.
+    /// Before the first step: another process holds the lock of the folder.
     #[error(
-        "{} is a checkpoint of another version ({format}), and this run would make it useless\n  \
-         way out: continue it with that version, remove it, or use another --out-dir",
-        path.display()
+        "another parsim2d is writing to {}\n  way out: wait until it has ended, or --out-dir with another \
+         folder",
+        folder.display()
     )]
+    Busy {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Before the first step: something in the folder has the name of a checkpoint and is none of this version.
+    #[error("{} {what}, and this run would replace it\n  way out: {way_out}", path.display())]
     ForeignCheckpoint {
-        /// The checkpoint.
+        /// What has the name.
         path: PathBuf,
-        /// Its format, as far as it can be told.
-        format: String,
+        /// What it is.
+        what: String,
+        /// What to do.
+        way_out: &'static str,
     },
     /// Before the first step: the folder holds a file of somebody's own where the record of the run goes.
     #[error(
@@ -57,12 +66,7 @@ pub enum OutputError {
         path: PathBuf,
     },
     /// Before a run goes on: a file is not the one that the run of the checkpoint wrote.
-    #[error(
-        "cannot continue {}: {why}\n  way out: put the file of that run back beside its checkpoint, or try \
-         the previous checkpoint; if it is lost, run the scenario again: it is in the first lines of the \
-         checkpoint",
-        path.display()
-    )]
+    #[error("cannot continue {}: {why}", path.display())]
     NotOfThatRun {
         /// The file.
         path: PathBuf,
@@ -70,13 +74,23 @@ pub enum OutputError {
         why: String,
     },
     /// During the run.
-    #[error("writing {} failed: {source}\n  what was written before is kept; way out: more room, or another folder", path.display())]
+    #[error(
+        "writing {} failed: {source}\n  what was written before is kept; way out: {}another folder, --out-dir",
+        path.display(),
+        if wants_room(source) { "more room, or " } else { "" }
+    )]
     Write {
         /// The file.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
+}
+
+/// Whether a write failed for want of room.
+pub fn wants_room(why: &std::io::Error) -> bool {
+    use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+    matches!(why.kind(), FileTooLarge | QuotaExceeded | StorageFull)
 }
 
 /// The rows of a csv file whose first line must be `header`. Errors are sentences that name the line.

@@ -165,7 +165,7 @@ fn a_run_from_a_frame_is_repeated_without_that_file() {
         text.lines().find(|line| line.contains("state_hash")).unwrap().to_owned()
     };
     // The run overwrites the file it starts from.
-    let again = ["--start", "trajectory.txt", "--time", "5ms", "--seed", "3"];
+    let again = ["--start", "out.txt", "--time", "5ms", "--seed", "3"];
     parsim2d(folder.path(), &again).success();
     let started = hash();
     parsim2d(folder.path(), &["last-run.toml"]).success();

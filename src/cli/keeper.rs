@@ -18,6 +18,8 @@ pub(super) struct Origin {
     pub command: Vec<String>,
     /// The largest overlap at the start over the (smaller) radius.
     pub overlap: f64,
+    /// The record of the run, if it goes on from a checkpoint.
+    pub resumed: Option<PathBuf>,
 }
 
 /// Keeps the checkpoints of one run.

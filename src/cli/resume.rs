@@ -1,25 +1,31 @@
 //! `parsim2d resume`: go on from a checkpoint, and end with the same bits as a run never interrupted.
 
+pub(super) mod flags;
+mod refused;
+
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
 
+use self::refused::{folder_of, not_continued, unfit, unreadable};
 use super::Failure;
+use super::claim::Claim;
 use super::interrupt::Interrupt;
 use super::keeper::Origin;
-use super::run::conclude;
+use super::refusal::Refusal;
+use super::run::{conclude, say_all};
 use super::stepping::Stepping;
 use super::typed::{quoted, with_new_end};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
-use crate::output::OutputError;
-use crate::output::checkpoint::container::Flaw;
-use crate::output::checkpoint::{self, Checkpoint, CheckpointError, Progress};
+use crate::output::checkpoint::{self, Checkpoint, Progress};
+use crate::output::record;
 use crate::output::recorder::Recorder;
+use crate::output::recorder::continued::is_same_folder;
 use crate::scenario::Scenario;
-use crate::scenario::quantity::{Number, Quantity, Time};
+use crate::scenario::quantity::{Number, Quantity, Time, thread_count};
 use crate::scenario::settings::Settings;
 use crate::simulation::state::Array;
 use crate::simulation::{Simulation, State};
@@ -33,7 +39,7 @@ Examples:
 
 The files of the run must lie beside the checkpoint. They are cut back to its moment and continued, and
 end as if the run had never been interrupted. Physics cannot be changed on the way: start a run of its
-own with --start trajectory.txt.";
+own, with --start trajectory.txt and another --out-dir.";
 
 #[derive(Args)]
 pub(super) struct ResumeArguments {
@@ -53,7 +59,7 @@ pub(super) struct ResumeArguments {
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     slowdown: Option<Quantity<Number>>,
     /// Threads that share the steps; the results are the same to the bit [default: as the run did]
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = thread_count)]
     threads: Option<i64>,
     /// Summary as one JSON object on stdout [default: as the run did]
     #[arg(long)]
@@ -80,35 +86,33 @@ impl ResumeArguments {
     }
 }
 
-/// Why a run cannot go on, and what can be done.
-#[derive(Debug, thiserror::Error)]
-#[error("{why}\n  way out: {way_out}")]
-pub(super) struct ResumeError {
-    why: String,
-    way_out: String,
-}
-
 pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let interrupt = Interrupt::listen();
     let file = match arguments.file.is_dir() {
         true => arguments.file.join(checkpoint::FILE),
         false => arguments.file.clone(),
     };
-    let from = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let from = from.unwrap_or(Path::new("."));
+    let from = folder_of(&file);
+    let folder = arguments.out_dir.as_deref().unwrap_or(from);
+    let mut claim = match arguments.out_dir.is_none() || is_same_folder(from, folder) {
+        true => Claim::of_same_run(from)?,
+        false => Claim::of_new_run(folder)?,
+    };
     let checkpoint = Checkpoint::read(&file).map_err(|why| unreadable(&file, &why))?;
     let Checkpoint { scenario: text, progress, mut arrays } = checkpoint;
     let progress = &progress;
     let changes = arguments.changes(from);
     let (scenario, has_new_end) =
         Scenario::continued(&text, &mut arrays, &progress.written, changes)?;
-    let simulation = simulation(&scenario, progress, arrays)
-        .map_err(|why| refusal(&file, format!("cannot resume from {}: {why}", file.display())))?;
+    let simulation = simulation(&scenario, progress, arrays).map_err(|why| unfit(&file, &why))?;
     check_end(&scenario, progress)?;
-    interrupt.finish_files_first();
     let plan = scenario.continued_plan(&progress.written)?;
+    progress.written.check(from).map_err(|why| not_continued(&file, why))?;
+    let note = claim.complete()?;
+    interrupt.finish_files_first();
     let recorder = Recorder::resume(&plan, &simulation, from, &progress.written)
-        .map_err(|why| other_or(&file, why))?;
+        .map_err(|why| not_continued(&file, why))?;
+    say_all(&scenario, note.as_slice());
     say_where(&scenario, progress, &file);
     let origin = Origin {
         command: match has_new_end {
@@ -116,6 +120,7 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
             false => progress.command.clone(),
         },
         overlap: progress.overlap_at_start,
+        resumed: Some(folder.join(record::FILE)),
     };
     // Only the latest checkpoint of the folder may become the previous one.
     let is_latest = file.file_name().is_some_and(|name| name == checkpoint::FILE);
@@ -164,7 +169,7 @@ fn check_end(scenario: &Scenario, progress: &Progress) -> Result<(), Failure> {
         return Ok(());
     }
     let (end, now) = (scenario.time, progress.time_s);
-    Err(Failure::Resume(ResumeError {
+    Err(Failure::Refused(Refusal {
         why: format!("--time = {end:?} s is before the checkpoint, which is at t = {now:?} s"),
         way_out: "a later --time, an earlier checkpoint, or a new run".to_owned(),
     }))
@@ -195,49 +200,4 @@ fn say_where(scenario: &Scenario, progress: &Progress, file: &Path) {
         ),
     };
     let _ = writeln!(io::stderr(), "note: {said}"); // a closed stderr is no failure
-}
-
-fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
-    match why {
-        CheckpointError::Flawed { flaw: Flaw::OtherFormat(_), .. } => {
-            Failure::Resume(ResumeError {
-                why: why.to_string(),
-                way_out: "continue it with the version of parsim2d that wrote it".to_owned(),
-            })
-        }
-        _ => refusal(file, why.to_string()),
-    }
-}
-
-/// A refusal with the other checkpoint of the folder as a way out, if that is whole.
-fn refusal(file: &Path, why: String) -> Failure {
-    let other = match file.file_name().is_some_and(|name| name == checkpoint::PREVIOUS) {
-        true => checkpoint::FILE,
-        false => checkpoint::PREVIOUS,
-    };
-    let other = file.with_file_name(other);
-    let way_out = match Checkpoint::read(&other) {
-        Ok(whole) => format!(
-            "the other checkpoint there is whole, step {}: parsim2d resume {}",
-            whole.progress.step,
-            quoted(&other.to_string_lossy())
-        ),
-        Err(_) if !file.exists() => {
-            "name the checkpoint, parsim2d.ckpt, or the folder it lies in; it is written on Ctrl-C and by \
-             --checkpoint-every"
-                .to_owned()
-        }
-        Err(_) => "there is no other whole checkpoint beside it; run the scenario again".to_owned(),
-    };
-    Failure::Resume(ResumeError { why, way_out })
-}
-
-/// Files that are not those of the run may still fit the other checkpoint.
-fn other_or(file: &Path, why: OutputError) -> Failure {
-    match why {
-        OutputError::NotOfThatRun { .. } if file.with_file_name(checkpoint::PREVIOUS) != file => {
-            refusal(file, why.to_string())
-        }
-        why => Failure::Output(why),
-    }
 }

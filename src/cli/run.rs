@@ -1,22 +1,26 @@
 //! `parsim2d run`: place the discs, step, write, report.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
 use rand::TryRng;
 
+use super::claim::{Claim, keep_start, shown};
 use super::interrupt::Interrupt;
 use super::keeper::Origin;
+use super::refusal::Refusal;
 use super::stepping::Stepping;
-use super::typed;
+use super::typed::{self, quoted};
 use super::watch::placing_spinner;
 use super::{Failure, answer, memory};
 use crate::analysis::energy::MechanicalEnergy;
-use crate::output::record;
+use crate::output::OutputError;
+use crate::output::failure::FailureReport;
 use crate::output::recorder::{OutputPlan, Recorder};
 use crate::output::summary::Summary;
+use crate::output::{checkpoint, record, wants_room};
 use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
@@ -41,6 +45,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::SUCCESS);
     }
     let interrupt = Interrupt::listen();
+    let mut claim = Claim::of_new_run(&scenario.output.folder)?;
+    keep_start(&scenario)?;
     let spinner = placing_spinner(scenario.output.quiet);
     let discs = scenario.place()?;
     // What the discs at the start have to say, before they are handed over: a crowd stores them anew.
@@ -48,11 +54,14 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let notes = if scenario.output.quiet { Vec::new() } else { scenario.notes(&discs) };
     let mut simulation = scenario.build_of(discs);
     spinner.finish_and_clear();
+    let note = claim.complete()?;
     interrupt.finish_files_first();
     let plan = OutputPlan { record, ..scenario.output_plan() };
     let recorder = Recorder::create(&plan, &mut simulation)?;
+    say_all(&scenario, note.as_slice());
     say_notes(&scenario, &notes, seed_was_drawn);
-    let origin = Origin { command: typed::words(), overlap: simulation.largest_overlap() };
+    let overlap = simulation.largest_overlap();
+    let origin = Origin { command: typed::words(), overlap, resumed: None };
     conclude(Stepping::begin(&scenario, simulation, recorder, origin), &interrupt)
 }
 
@@ -61,7 +70,13 @@ pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<
     let scenario = stepping.scenario;
     if let Err(failure) = stepping.go(|| interrupt.is_raised()) {
         if let Some(way_back) = stepping.keeper.way_back() {
-            say(scenario, &format!("once there is room, {way_back}"));
+            let when = match &failure {
+                Failure::Output(OutputError::Write { source, .. }) if !wants_room(source) => {
+                    "once it can be written"
+                }
+                _ => "once there is room",
+            };
+            say(scenario, &format!("{when}, {way_back}"));
         }
         return Err(failure);
     }
@@ -74,7 +89,10 @@ pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<
     }
     let is_stopped = stepping.is_stopped();
     match stepping.failure.take() {
-        Some(failure) if is_stopped => return Err(Failure::WentWrong(Box::new(failure))),
+        Some(failure) if is_stopped => {
+            let again = stepping.origin.resumed.as_deref().map(|path| new_run(path, &failure));
+            return Err(Failure::WentWrong { report: Box::new(failure), again });
+        }
         Some(failure) => say(scenario, &failure.to_string()),
         None => {}
     }
@@ -85,6 +103,21 @@ pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<
     let way_back = way_back.unwrap_or("no good state was left to go on from".to_owned());
     say(scenario, &format!("interrupted; {way_back}"));
     Ok(ExitCode::from(130))
+}
+
+/// Where to give the flags that the `failure` of a resumed run names: `resume` takes none of them.
+fn new_run(record: &Path, failure: &FailureReport) -> String {
+    let flags = failure.ways_out.iter().find(|way| way.starts_with("--"));
+    let flags = flags.map_or("--allow-unstable", String::as_str);
+    let record = quoted(&shown(record));
+    format!(
+        "\n  `resume` cannot change them, a new run can: parsim2d {record} --out-dir again {flags}"
+    )
+}
+
+/// Remarks on standard error.
+pub(super) fn say_all(scenario: &Scenario, notes: &[String]) {
+    notes.iter().for_each(|note| say(scenario, note));
 }
 
 /// A remark on standard error.
@@ -99,6 +132,13 @@ pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Fai
     let said = match &arguments.scenario {
         Some(path) if path.extension().is_none() && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
+        }
+        Some(path) if checkpoint::is_one(path) => {
+            let path = shown(path);
+            return Err(Failure::Refused(Refusal {
+                why: format!("{path} is a checkpoint, not a scenario"),
+                way_out: format!("parsim2d resume {}", quoted(&path)),
+            }));
         }
         Some(path) => arguments.settings.clone().over(file::read(path)?),
         None => arguments.settings.clone(),
@@ -122,9 +162,7 @@ fn say_notes(scenario: &Scenario, notes: &[String], seed_was_drawn: bool) {
             let _ =
                 writeln!(io::stderr(), "note: seed {seed}, drawn; --seed {seed} repeats this run");
         }
-        for note in notes {
-            let _ = writeln!(io::stderr(), "note: {note}"); // a closed stderr is no failure
-        }
+        say_all(scenario, notes);
     }
 }
 

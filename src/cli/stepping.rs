@@ -75,6 +75,8 @@ impl<'a> Stepping<'a> {
     /// last good state, and there is a checkpoint if the run is to go on later.
     pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {
         let end = self.scenario.steps();
+        // Its checkpoint, if there is one, is all there is to prolong it from.
+        let had_something_to_do = !self.is_done();
         while self.simulation.steps() < end && !stop() {
             let due = self.recorder.next_due().min(end);
             self.advance(self.watch.next_look(&self.simulation).min(due))?;
@@ -94,7 +96,7 @@ impl<'a> Stepping<'a> {
         let kept = self.keep_last();
         self.recorder.finish(&self.simulation)?;
         self.watch.finish();
-        if self.is_done() && !self.keeper.is_asked() {
+        if had_something_to_do && self.is_done() && !self.keeper.is_asked() {
             self.keeper.remove_all()?;
         }
         kept

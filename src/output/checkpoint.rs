@@ -94,20 +94,32 @@ pub enum CheckpointError {
 }
 
 /// Refuses to run in a `folder` that holds a checkpoint of another version, whose run could still be
-/// continued by that version.
+/// continued by that version, or somebody's own file of such a name.
 pub fn refuse_foreign(folder: &Path) -> Result<(), OutputError> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Ok(()); // no folder yet, no checkpoints
     };
     let ours = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| is_ours(path));
     for path in ours {
-        let format = format(&path).ok().flatten();
-        if format != Some(FORMAT) {
-            let format = format.map_or("unknown format".to_owned(), |k| format!("format {k}"));
-            return Err(OutputError::ForeignCheckpoint { path, format });
-        }
+        let (what, way_out) = match format(&path) {
+            Ok(Some(FORMAT)) => continue,
+            Ok(Some(format)) => (
+                format!("is a checkpoint of another version (format {format})"),
+                "continue it with that version, remove it, or use another --out-dir",
+            ),
+            Ok(None) => ("is no checkpoint of parsim2d".to_owned(), RENAME),
+            Err(why) => (format!("is no checkpoint of parsim2d: {why}"), RENAME),
+        };
+        return Err(OutputError::ForeignCheckpoint { path, what, way_out });
     }
     Ok(())
+}
+
+const RENAME: &str = "give it another name, or use another --out-dir";
+
+/// Whether the file at `path` begins as a checkpoint does, of whatever version.
+pub fn is_one(path: &Path) -> bool {
+    format(path).is_ok_and(|format| format.is_some())
 }
 
 /// Removes both checkpoints from `folder`: they are of a run whose files are gone, or that is done.
@@ -128,9 +140,23 @@ fn is_ours(path: &Path) -> bool {
     name.starts_with("parsim2d") && name.ends_with(".ckpt")
 }
 
-/// The format's number, if the file begins as a checkpoint does.
+/// The format's number, if the file begins as a checkpoint does. An error if it is empty or no file.
 fn format(path: &Path) -> io::Result<Option<u32>> {
     let mut begin = Vec::new();
-    File::open(path)?.take(100).read_to_end(&mut begin)?;
+    plain_file(path)?.take(100).read_to_end(&mut begin)?;
+    if begin.is_empty() {
+        return Err(io::Error::other("it is empty"));
+    }
     Ok(container::format(&begin).ok())
+}
+
+/// The file at `path`, open to be read. A pipe, over which a reader waits, or a device, which never ends, is
+/// not opened.
+fn plain_file(path: &Path) -> io::Result<File> {
+    let kind = fs::metadata(path)?.file_type();
+    match (kind.is_file(), kind.is_dir()) {
+        (true, _) => File::open(path),
+        (_, true) => Err(io::Error::other("it is a folder")),
+        _ => Err(io::Error::other("it is a pipe or a device")),
+    }
 }

@@ -58,6 +58,11 @@ pub struct FailureReport {
     pub stopped: bool,
 }
 
+/// Whether `folder` holds one: its last run went wrong.
+pub fn is_there(folder: &Path) -> bool {
+    folder.join(FILE).exists()
+}
+
 impl FailureReport {
     /// Writes the report into `folder`.
     pub fn write(&self, folder: &Path) -> Result<(), OutputError> {

@@ -187,7 +187,7 @@ impl Recorder {
 }
 
 /// Makes the folder if it is not there.
-pub(super) fn make_folder(folder: &Path) -> Result<(), OutputError> {
+pub fn make_folder(folder: &Path) -> Result<(), OutputError> {
     let refuse = |source| OutputError::Create { path: folder.to_owned(), source };
     if folder.exists() && !folder.is_dir() {
         return Err(refuse(io::Error::new(io::ErrorKind::NotADirectory, "it is a file")));

@@ -1,18 +1,17 @@
 //! The reading of checkpoints.
 
-use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::Path;
 
 use super::container::{self, Content, Flaw};
-use super::{Checkpoint, CheckpointError, Progress};
+use super::{Checkpoint, CheckpointError, Progress, plain_file};
 use crate::output::recorder::continued::Written;
 
 impl Checkpoint {
     /// Reads the checkpoint at `path`.
     pub fn read(path: &Path) -> Result<Self, CheckpointError> {
         let sections = || {
-            let file = File::open(path)?;
+            let file = plain_file(path)?;
             let size = file.metadata()?.len();
             container::read_from(BufReader::new(file), size)
         };

@@ -46,6 +46,18 @@ pub struct Written {
     pub energy: Option<Extent>,
 }
 
+impl Written {
+    /// Whether the files in `folder` begin with what was written then; if not, which and why.
+    pub fn check(&self, folder: &Path) -> Result<(), OutputError> {
+        self.extents().try_for_each(|(name, extent)| check(&folder.join(name), extent))
+    }
+
+    fn extents(&self) -> impl Iterator<Item = (&'static str, Extent)> + use<> {
+        let extents = [(TRAJECTORY, Some(self.trajectory)), (ENERGY, self.energy)];
+        extents.into_iter().filter_map(|(name, extent)| Some((name, extent?)))
+    }
+}
+
 impl Recorder {
     /// How far the files have come, once that is on the disk.
     pub fn written(&mut self) -> Result<Written, OutputError> {
@@ -74,18 +86,17 @@ impl Recorder {
         from: &Path,
         written: &Written,
     ) -> Result<Self, OutputError> {
-        let extents = [(TRAJECTORY, Some(written.trajectory)), (ENERGY, written.energy)];
-        let extents = extents.into_iter().filter_map(|(name, extent)| Some((name, extent?)));
-        for (name, extent) in extents.clone() {
-            check(&from.join(name), extent)?;
-        }
+        written.check(from)?;
         let folder = &plan.folder;
         if !is_same_folder(from, folder) {
-            copy(from, folder, extents)?;
+            copy(from, folder, written.extents())?;
         }
+        // The first thing written: where it cannot be, nothing has been touched.
+        let mut record = NewFile::create(&folder.join(record::FILE))?;
+        record.write(plan.record.as_bytes())?;
+        record.take_place()?;
         // The run was killed, and is the only one here: its files are.
         remove_temporaries(folder, &FILES);
-        record::write(folder, &plan.record, &[])?;
         remove_if_there(&folder.join(failure::FILE))?; // of what came after the checkpoint
         let trajectory = folder.join(TRAJECTORY);
         let frames = Trajectory::continued(
@@ -142,7 +153,8 @@ fn check(path: &Path, extent: Extent) -> Result<(), OutputError> {
     }
 }
 
-fn is_same_folder(one: &Path, other: &Path) -> bool {
+/// Whether both names are those of one folder, which is there.
+pub fn is_same_folder(one: &Path, other: &Path) -> bool {
     match (one.canonicalize(), other.canonicalize()) {
         (Ok(one), Ok(other)) => one == other,
         _ => false,

@@ -1,0 +1,147 @@
+//! Why a run cannot go on, and the one way out that works.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::cli::Failure;
+use crate::cli::claim::shown;
+use crate::cli::refusal::Refusal;
+use crate::cli::typed::quoted;
+use crate::output::OutputError;
+use crate::output::checkpoint::container::Flaw;
+use crate::output::checkpoint::{self, Checkpoint, CheckpointError};
+use crate::output::record;
+
+/// The checkpoint `file` cannot be read.
+pub(super) fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
+    if matches!(why, CheckpointError::Flawed { flaw: Flaw::OtherFormat(_), .. }) {
+        return Failure::Refused(Refusal {
+            why: why.to_string(),
+            way_out: "continue it with the version of parsim2d that wrote it".to_owned(),
+        });
+    }
+    match (file.exists(), other(file), end_of_run(folder_of(file))) {
+        (false, None, Some(done)) => Failure::Refused(done),
+        (false, None, None) => Failure::Refused(Refusal {
+            why: why.to_string(),
+            way_out: "name the checkpoint, parsim2d.ckpt, or the folder it lies in; it is written on Ctrl-C \
+                      and by --checkpoint-every"
+                .to_owned(),
+        }),
+        (_, other, _) => refusal(file, why.to_string(), other),
+    }
+}
+
+/// What the checkpoint `file` holds does not fit together.
+pub(super) fn unfit(file: &Path, why: &str) -> Failure {
+    refusal(file, format!("cannot resume from {}: {why}", file.display()), other(file))
+}
+
+/// The files of the run cannot be continued from the checkpoint `file`.
+pub(super) fn not_continued(file: &Path, why: OutputError) -> Failure {
+    if !matches!(why, OutputError::NotOfThatRun { .. }) {
+        return Failure::Output(why);
+    }
+    let way_out = match other(file) {
+        Some(other) => other.way_out(),
+        None => format!(
+            "put the file of that run back beside its checkpoint; if it is lost, {}",
+            again(folder_of(file), true)
+        ),
+    };
+    Failure::Refused(Refusal { why: why.to_string(), way_out })
+}
+
+fn refusal(file: &Path, why: String, other: Option<Other>) -> Failure {
+    let way_out = match other {
+        Some(other) => other.way_out(),
+        None => {
+            let again = again(folder_of(file), false);
+            format!("there is no other whole checkpoint of these files beside it; {again}")
+        }
+    };
+    Failure::Refused(Refusal { why, way_out })
+}
+
+/// Another checkpoint to go on from.
+struct Other {
+    path: PathBuf,
+    step: u64,
+}
+
+impl Other {
+    fn way_out(&self) -> String {
+        format!(
+            "the other checkpoint there is whole and fits the files, step {}: parsim2d resume {}",
+            self.step,
+            quoted(&shown(&self.path))
+        )
+    }
+}
+
+/// A whole checkpoint beside `file` that fits the files there.
+fn other(file: &Path) -> Option<Other> {
+    let folder = folder_of(file);
+    let names = [checkpoint::FILE, checkpoint::PREVIOUS].map(|name| folder.join(name));
+    names.into_iter().filter(|path| path.file_name() != file.file_name()).find_map(|path| {
+        let progress = Checkpoint::read(&path).ok()?.progress;
+        progress.written.check(folder).ok()?;
+        Some(Other { path, step: progress.step })
+    })
+}
+
+/// How to run the scenario of `folder` again; `is_whole` says whether its checkpoint can be read.
+fn again(folder: &Path, is_whole: bool) -> String {
+    let path = folder.join(record::FILE);
+    let is_there = path.is_file() && !record::is_foreign(folder);
+    match (is_there, is_whole) {
+        (true, _) => {
+            format!("run the scenario again: parsim2d {} --out-dir again", quoted(&shown(&path)))
+        }
+        (_, true) => {
+            "run the scenario again: it is in the first lines of the checkpoint".to_owned()
+        }
+        _ => "run the scenario again".to_owned(),
+    }
+}
+
+/// What to say of a run in `folder` that has ended and left no checkpoint, by its record.
+fn end_of_run(folder: &Path) -> Option<Refusal> {
+    if record::is_foreign(folder) {
+        return None;
+    }
+    let path = folder.join(record::FILE);
+    let text = fs::read_to_string(&path).ok()?;
+    let result = |name: &str| {
+        record::results(&text).find_map(|(this, value)| (this == name).then(|| value.to_owned()))
+    };
+    let time = result("time_s")?;
+    if result("interrupted").is_some() {
+        return None;
+    }
+    let record = quoted(&shown(&path));
+    let why = match result("went_wrong") {
+        Some(what) => format!("the run there went wrong ({what}): there is nothing to go on from"),
+        None => format!(
+            "the run there is done, t = {time} s; it keeps a checkpoint of its end only with \
+             --checkpoint-every"
+        ),
+    };
+    let way_out = match result("went_wrong") {
+        Some(_) => format!(
+            "a new run with other parameters: parsim2d {record} --out-dir again --integrator \
+             symplectic-euler, or what failure.json names"
+        ),
+        None => format!(
+            "to a later end from the start: parsim2d {record} --out-dir again --time {:?}",
+            2.0 * time.parse::<f64>().ok()?
+        ),
+    };
+    Some(Refusal { why, way_out })
+}
+
+/// The folder of `file`.
+pub(super) fn folder_of(file: &Path) -> &Path {
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    folder.unwrap_or(Path::new("."))
+}
