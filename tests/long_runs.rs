@@ -36,7 +36,7 @@ fn a_long_run_is_told_of_checkpoints_unless_it_keeps_them() {
 fn threads_that_find_nothing_to_do_are_told() {
     let folder = tempfile::tempdir().unwrap();
     let note = |arguments: &str| {
-        let arguments = format!("{arguments} --seed 1 --time 1us");
+        let arguments = format!("{arguments} --seed 1 --time 0.1ms");
         text(&outcome(folder.path(), &arguments).stderr)
     };
     assert!(note("-n 50 --threads 3").contains("note: --threads 3: 50 discs run on one"));
@@ -50,7 +50,8 @@ fn threads_that_find_nothing_to_do_are_told() {
 fn the_summary_of_many_discs_says_how_much_memory_they_took() {
     let folder = tempfile::tempdir().unwrap();
     for (n, is_told) in [(9_999, false), (10_000, true)] {
-        let arguments = format!("-n {n} --placement lattice --seed 1 --time 1us --energy-every 0");
+        let arguments =
+            format!("-n {n} --placement lattice --seed 1 --time 0.1ms --energy-every 0");
         let said = text(&outcome(folder.path(), &arguments).stdout);
         let line = said.lines().find(|line| line.starts_with("memory   at most "));
         assert_eq!(line.is_some(), is_told, "{said}");

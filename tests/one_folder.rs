@@ -91,8 +91,9 @@ fn a_second_run_in_a_folder_is_refused_while_the_first_writes_there() {
 fn of_many_runs_at_once_in_one_folder_the_files_are_of_one() {
     let folder = tempfile::tempdir().unwrap();
     let start = |seed: u32| {
+        let slowdown = 50 - 5 * seed; // who begins first ends last
         let arguments = format!(
-            "-n 100 --radius 5e-4 --seed {seed} --time 10ms --slowdown 30 --out-dir new -q --every 50"
+            "-n 100 --radius 5e-4 --seed {seed} --time 10ms --slowdown {slowdown} --out-dir new -q --every 50"
         );
         parsim2d(folder.path(), &arguments).stderr(Stdio::piped()).spawn().unwrap()
     };
@@ -108,8 +109,9 @@ fn of_many_runs_at_once_in_one_folder_the_files_are_of_one() {
     let new = folder.path().join("new");
     let record = fs::read_to_string(new.join("last-run.toml")).unwrap();
     let seed = record.lines().find_map(|line| line.strip_prefix("seed = ")).unwrap();
+    let slowdown = 50 - 5 * seed.parse::<u32>().unwrap();
     let alone = format!(
-        "-n 100 --radius 5e-4 --seed {seed} --time 10ms --slowdown 30 --out-dir new -q --every 50"
+        "-n 100 --radius 5e-4 --seed {seed} --time 10ms --slowdown {slowdown} --out-dir new -q --every 50"
     );
     let other = tempfile::tempdir().unwrap();
     assert!(outcome(other.path(), &alone).status.success());
