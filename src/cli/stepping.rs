@@ -1,6 +1,7 @@
 //! A run on its way: steps, files that are due, the guard, the wall clock.
 
 use std::io::{self, Write};
+use std::time::Instant;
 
 use super::Failure;
 use super::keeper::{Keeper, Origin};
@@ -16,6 +17,8 @@ use crate::simulation::Simulation;
 pub(super) struct Stepping<'a> {
     pub scenario: &'a Scenario,
     pub simulation: Simulation,
+    /// Steps at the end of the run.
+    end: u64,
     pub watch: Watch,
     /// What went wrong, if something did.
     pub failure: Option<FailureReport>,
@@ -60,10 +63,11 @@ impl<'a> Stepping<'a> {
         last: Option<u64>,
     ) -> Self {
         let output = &scenario.output;
-        let mut watch = Watch::start(&simulation, scenario.steps(), output.slowdown, output.quiet);
+        let end = scenario.steps();
+        let mut watch = Watch::start(&simulation, end, output.slowdown, output.quiet);
         watch.share_cores(scenario.threads());
         let keeper = Keeper::new(scenario, last);
-        Self { scenario, simulation, watch, failure: None, origin, keeper, recorder, guard }
+        Self { scenario, simulation, end, watch, failure: None, origin, keeper, recorder, guard }
     }
 
     /// Mechanical energy at the start of the run, J.
@@ -74,11 +78,10 @@ impl<'a> Stepping<'a> {
     /// Steps to the end, or until `stop` says so or something goes wrong; every file then has the
     /// last good state, and there is a checkpoint if the run is to go on later.
     pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {
-        let end = self.scenario.steps();
         // Its checkpoint, if there is one, is all there is to prolong it from.
         let had_something_to_do = !self.is_done();
-        while self.simulation.steps() < end && !stop() {
-            let due = self.recorder.next_due().min(end);
+        while !self.is_done() && !stop() {
+            let due = self.recorder.next_due().min(self.end);
             self.advance(self.watch.next_look(&self.simulation).min(due))?;
             if self.is_stopped() {
                 break;
@@ -104,15 +107,17 @@ impl<'a> Stepping<'a> {
 
     /// Whether the run has reached its end.
     pub fn is_done(&self) -> bool {
-        self.simulation.steps() >= self.scenario.steps()
+        self.simulation.steps() >= self.end
     }
 
     /// Steps up to `until` at most, and writes what is due there.
     fn advance(&mut self, until: u64) -> Result<(), Failure> {
+        let begun = Instant::now();
         self.step_until(until)?;
         if !self.is_stopped() {
             self.recorder.record_due(&self.simulation)?;
         }
+        self.watch.book_stepping(begun);
         Ok(())
     }
 
@@ -156,10 +161,9 @@ impl<'a> Stepping<'a> {
 
     /// Steps up to `until` while the guard looks on.
     fn step_until(&mut self, until: u64) -> Result<(), Failure> {
-        let end = self.scenario.steps();
         while self.simulation.steps() < until && !self.is_stopped() {
-            let look = self.guard.next_look(&self.simulation).min(end);
-            self.watch.step_until(&mut self.simulation, look.min(until));
+            let look = self.guard.next_look(&self.simulation).min(self.end);
+            self.simulation.step_until(look.min(until));
             if self.simulation.steps() == look {
                 self.look()?;
             }
@@ -179,7 +183,7 @@ impl<'a> Stepping<'a> {
             return Ok(()); // once is enough
         }
         let seen_at = self.simulation.steps();
-        let found = match seen_at == self.scenario.steps() {
+        let found = match seen_at == self.end {
             true => self.guard.look_last(&mut self.simulation),
             false => self.guard.look(&mut self.simulation),
         };
@@ -189,7 +193,7 @@ impl<'a> Stepping<'a> {
         report.write(&self.scenario.output.folder)?;
         self.failure = Some(report);
         match goes_on {
-            true => self.watch.step_until(&mut self.simulation, seen_at),
+            true => self.simulation.step_until(seen_at),
             // What was written since then is of no use.
             false => self.recorder.cut_back_to(self.simulation.steps())?,
         }

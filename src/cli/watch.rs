@@ -17,9 +17,10 @@ const REST_AFTER_REFRESH: f64 = 20.0;
 /// caches and memory, and that core may turn out to be busy.
 const SPARE_CORE: f64 = 0.2;
 
-/// The clock is looked at about every so many particle-steps (a millisecond or less, or one
-/// step if that takes longer), so that looking costs nothing.
-const PARTICLE_STEPS_PER_LOOK: u64 = 20_000;
+/// The clock is looked at about every so many particle-steps (some milliseconds), but not after fewer steps
+/// than this, so that looking costs nothing: many discs are stepped faster in one go.
+const PARTICLE_STEPS_PER_LOOK: u64 = 100_000;
+const FEWEST_STEPS_PER_LOOK: u64 = 8;
 
 /// The wall clock of a run.
 pub(super) struct Watch {
@@ -40,7 +41,8 @@ pub(super) struct Watch {
 
 impl Watch {
     pub fn start(simulation: &Simulation, steps: u64, slowdown: Option<f64>, quiet: bool) -> Self {
-        let mut steps_per_look = (PARTICLE_STEPS_PER_LOOK / simulation.n() as u64).max(1);
+        let mut steps_per_look =
+            (PARTICLE_STEPS_PER_LOOK / simulation.n() as u64).max(FEWEST_STEPS_PER_LOOK);
         if let Some(slowdown) = slowdown {
             // Look twice a refresh, so that a slow run moves smoothly.
             let per_look = 0.5 / (REFRESHES_PER_SECOND * slowdown * simulation.dt());
@@ -73,10 +75,8 @@ impl Watch {
         simulation.steps() + self.steps_per_look
     }
 
-    /// Steps the simulation up to step `until` and books the wall time it took.
-    pub fn step_until(&mut self, simulation: &mut Simulation, until: u64) {
-        let begun = Instant::now();
-        simulation.step_until(until);
+    /// Books the wall time since `begun` as spent on stepping and what belongs to it.
+    pub fn book_stepping(&mut self, begun: Instant) {
         self.stepping += begun.elapsed();
     }
 
@@ -137,7 +137,7 @@ impl Watch {
         simulation.steps() - self.from.0
     }
 
-    /// Wall time spent stepping, s.
+    /// Wall time spent on steps, on the guard's looks, and on the frames and rows that were due, s.
     pub fn stepping_time(&self) -> f64 {
         self.stepping.as_secs_f64()
     }

@@ -39,7 +39,7 @@ pub struct Summary {
     pub threads: usize,
     /// Lists of near pairs made, where discs are many enough for it to matter.
     pub list_rebuilds: u64,
-    /// Speed of the stepping with its ledger, without the writing of files.
+    /// Speed of the stepping with its ledger, the guard and what was written on the way (live frames aside).
     pub particle_steps_per_s: f64,
     /// The most memory held at once, MB; absent where the system does not tell it.
     pub peak_memory_MB: Option<f64>,
