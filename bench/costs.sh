@@ -53,7 +53,7 @@ result=$here/$(machine)/$(date +%Y-%m-%d)-costs.csv
 echo "what,scene,n,steps_per_s_without,cost_percent,lowest,highest" | tee "$result"
 none="plain -q --every 1000000000 --energy-every 0"
 for scene in dense-1000 bed-20k bed-100k; do
-    cost ledger $scene "$none" "plain -q --every 1000000000 --energy-every 56" # as in a run of a second
+    cost ledger $scene "$none" "plain -q --every 1000000000 $rows"
 done
 cost live-frames bed-20k "$none" "plain -q --energy-every 0" # out.txt, at most 60 times a second
 cost trajectory bed-100k "$none" "plain -q --energy-every 0 --every 563" # as in a run of a second

@@ -32,7 +32,7 @@ for scene in $scenes; do make_state "${scene%-no-ledger}"; done
 run=0
 while [ "$run" -lt "$runs" ]; do
     for scene in $scenes; do
-        [ "$scene" = "${scene%-no-ledger}" ] && ledger= || ledger="--energy-every 0"
+        [ "$scene" = "${scene%-no-ledger}" ] && ledger=$rows || ledger=$no_rows
         for t in $threads; do
             # shellcheck disable=SC2046,SC2086 # flags are words
             timed "${scene%-no-ledger}" $(threads_flag "$t") $ledger >"$work/summary"

@@ -25,7 +25,8 @@ run=0
 while [ "$run" -lt "$runs" ]; do
     for scene in $scenes; do
         for t in $counts; do
-            timed "$scene" --threads "$t" >"$work/summary"
+            # shellcheck disable=SC2086 # a flag is two words
+            timed "$scene" --threads "$t" $rows >"$work/summary"
             echo "$scene $t $run $(field particle_steps_per_s <"$work/summary") $(field state_hash <"$work/summary")" >>"$results"
         done
     done

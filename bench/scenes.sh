@@ -155,6 +155,11 @@ timed() {
         --every 1000000000 --json -q --out-dir "$work/run" "$@"
 }
 
+# How often a row of the ledger falls due, in steps: as in a run of a second of the guide's. The timed runs are pieces of
+# such runs; by themselves they would write a row every step.
+rows="--energy-every 56"
+no_rows="--energy-every 0"
+
 # threads_flag T: the flag, or nothing if the program has none.
 threads_flag() {
     if "$program" --help | grep -q -- --threads; then echo "--threads $1"; fi

@@ -52,7 +52,7 @@ use crate::work::Works;
 
 /// Discs in a block: what is moved, walked or summed in one go. Sums are kept block by block and then
 /// added in order, so that they do not depend on who did which.
-const BLOCK: usize = 256;
+const BLOCK: usize = 128;
 
 /// Fewer discs than this are stepped by one thread unless more are asked for: sharing a step out costs
 /// some microseconds.

@@ -94,8 +94,10 @@ for scene in $scenes; do
             lammps_speed >>"$folder/$scene.$p.lammps"
             [ "$p" = 1 ] && cp "$folder/log" "$folder/$scene.log"
             if [ "$p" = 1 ] || [ -n "$threaded" ]; then
-                ours "$scene" "$p" --energy-every 0 >>"$folder/$scene.$p.off"
-                ours "$scene" "$p" >>"$folder/$scene.$p.on"
+                # shellcheck disable=SC2086 # a flag is two words
+                ours "$scene" "$p" $no_rows >>"$folder/$scene.$p.off"
+                # shellcheck disable=SC2086
+                ours "$scene" "$p" $rows >>"$folder/$scene.$p.on"
             fi
         done
         run=$((run + 1))
