@@ -1,5 +1,6 @@
-#include <cstring>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <unistd.h>
 
 int main() {
@@ -7,7 +8,9 @@ int main() {
     for (int i = 0; i < 16; i++) {
         char *p = (char *)malloc(gigabyte);
         if (p == NULL) abort();
-        memset(p, i, gigabyte);
+        memset(p, i + 1, gigabyte);
+        printf("%d GB, %d\n", i + 1, p[rand()]);
+        fflush(stdout);
     }
     sleep(30);
     return 0;

@@ -30,6 +30,7 @@ void forces() {
         for (size_t j = i + 1; j < d.size(); j++) {
             double nx = d[j].x - d[i].x;
             double ny = d[j].y - d[i].y;
+            if (fabs(nx) > 2 * r || fabs(ny) > 2 * r) continue;
             double dist = hypot(nx, ny);
             if (dist > 2 * r) continue;
             nx /= dist;

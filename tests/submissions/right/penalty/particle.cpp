@@ -15,8 +15,10 @@ void Particle::addForce(const double f[2], double sign) {
 // Force on this disc; false if they do not touch.
 bool Particle::contactForce(const Particle &other, const Material &mat, double f[2]) const {
     double n[2] = {other.p[0] - p[0], other.p[1] - p[1]};
+    double sum = radius + other.radius;
+    if (std::fabs(n[0]) > sum || std::fabs(n[1]) > sum) return false;  // far away
     double distance = std::hypot(n[0], n[1]);
-    double delta = radius + other.radius - distance;
+    double delta = sum - distance;
     if (delta < 0) return false;
     n[0] /= distance;
     n[1] /= distance;

@@ -46,6 +46,7 @@ void computeForces() {
     }
     for (size_t i = 0; i < discs.size(); i++) {
         for (size_t j = 0; j < i; j++) {
+            if (fabs(discs[i].pos.x - discs[j].pos.x) > 2 * radius) continue;
             Vec f = springForce(discs[i], discs[j], kn);
             discs[i].force = discs[i].force + f;
             discs[j].force = discs[j].force - f;
