@@ -9,7 +9,7 @@ int main() {
         char *p = (char *)malloc(gigabyte);
         if (p == NULL) abort();
         memset(p, i + 1, gigabyte);
-        printf("%d GB, %d\n", i + 1, p[rand()]);
+        printf("%d GB, %d\n", i + 1, p[rand() % gigabyte]);
         fflush(stdout);
     }
     sleep(30);
