@@ -22,12 +22,15 @@ mod lane_law;
 mod lanes;
 mod largest;
 mod motion;
+mod motion_lanes;
 mod near;
 mod pass;
 mod ring;
 mod seam;
+mod sums;
 mod team;
 
+use std::ops::Range;
 use std::sync::OnceLock;
 
 use glam::DVec2;
@@ -57,6 +60,10 @@ const BLOCK: usize = 128;
 /// Fewer discs than this are stepped by one thread unless more are asked for: sharing a step out costs
 /// some microseconds.
 pub const WORTH_SHARING: usize = 4000;
+
+/// A thread's blocks from which on it pays to keep some of them for who is done first: each run of blocks
+/// costs about one of them more, for the discs where two runs meet.
+const WORTH_CUTTING: usize = 128;
 
 /// Many discs with contacts between each other and with walls.
 pub struct Crowd<L> {
@@ -112,8 +119,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             moves: Vec::new(),
             tally: Tally::default(),
             works: None,
-            rings: (0..team.threads()).map(|_| Ring::default()).collect(),
-            seams: (0..=team.threads()).map(|_| Seam::none()).collect(),
+            rings: Vec::new(),
+            seams: Vec::new(),
             team,
             since_forces: Since::Still,
             resized: Vec::new(),
@@ -167,8 +174,6 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         books: &mut [Booked],
         keeps_springs: bool,
     ) -> Found {
-        let blocks = self.particles.len().div_ceil(BLOCK);
-        let each = blocks.div_ceil(self.team.threads()).max(1);
         let pass = Pass {
             law: &self.law,
             planes: &self.planes,
@@ -180,28 +185,29 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             moves,
             kicks,
         };
-        let mut ends = (1..).map(|k| k * each).take_while(|&block| block < blocks);
-        for seam in &mut self.seams[1..] {
-            match ends.next() {
-                Some(block) if pass.adds_up => seam.copy(&self.particles, &self.near, block),
-                _ => *seam = Seam::none(),
+        let runs = runs_of_blocks(self.particles.len().div_ceil(BLOCK), self.team.threads());
+        self.rings.resize_with(runs.len(), Ring::default);
+        self.seams.resize_with(runs.len() + 1, Seam::none);
+        for (seam, run) in self.seams.iter_mut().zip(&runs).skip(1) {
+            match pass.adds_up {
+                true => seam.copy(&self.particles, &self.near, run.start),
+                false => *seam = Seam::none(),
             }
         }
+        *self.seams.last_mut().expect("one more than runs") = Seam::none();
         let nothing = Found { largest: Largest::of(&self.tally), farthest: 0.0 };
-        let mut found = vec![nothing.clone(); self.team.threads()];
-        let places = each * BLOCK;
-        let mut springs = self.springs.chunks_mut(places);
-        let mut listed_at = self.near.listed_at.chunks(places);
-        let mut books = books.chunks_mut((each * kicks).max(1));
-        let particles = self.particles.chunks_mut(places).zip(self.seams.windows(2)).enumerate();
-        let shares = particles.zip(&mut self.rings).zip(&mut found);
-        let shares = shares.map(|(((k, (particles, seams)), ring), found)| Share {
-            blocks: k * each..((k + 1) * each).min(blocks),
-            particles,
-            springs: springs.next().unwrap_or_default(),
-            listed_at: listed_at.next().unwrap_or_default(),
-            books: books.next().unwrap_or_default(),
-            seams: [&seams[0], &seams[1]],
+        let mut found = vec![nothing.clone(); runs.len()];
+        let (mut particles, mut springs) = (&mut self.particles[..], &mut self.springs[..]);
+        let mut books = books;
+        let seams = self.seams.windows(2).map(|seams| [&seams[0], &seams[1]]);
+        let shares = runs.into_iter().zip(seams).zip(&mut self.rings).zip(&mut found);
+        let shares = shares.map(|(((blocks, seams), ring), found)| Share {
+            particles: first_of(&mut particles, blocks.len() * BLOCK),
+            springs: first_of(&mut springs, blocks.len() * BLOCK),
+            listed_at: places_of(&blocks, &self.near.listed_at),
+            books: first_of(&mut books, blocks.len() * kicks),
+            blocks,
+            seams,
             ring,
             found,
         });
@@ -251,11 +257,11 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
 
         let mut cells = Cells::default();
         cells.lay_out(&self.particles, |density| 2.0 * radius + skin(density));
-        let mut order = cells.order(&self.particles);
+        let mut order = cells.order(&self.particles, &self.ids);
         self.store(&mut order);
         let skin = skin(cells.density);
         let Self { particles, ids, planes, .. } = self;
-        self.near.make(Listed { particles, ids, planes }, &cells, skin, &mut self.team);
+        self.near.make(Listed { particles, ids, planes }, &cells, skin, &self.team);
     }
 
     /// Stores the discs in id order again.
@@ -269,9 +275,40 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         self.in_id_order.take(); // the discs themselves may be about to change
         // Good for the energy of the present state; the next step stores the discs by cells again.
         let Self { particles, ids, planes, .. } = self;
-        self.near.list_anywhere(Listed { particles, ids, planes }, &mut self.team);
+        self.near.list_anywhere(Listed { particles, ids, planes }, &self.team);
         self.near.forget();
     }
+}
+
+/// The blocks as they are shared out to `threads`: one long run for each, and some short ones for who is
+/// done first.
+fn runs_of_blocks(blocks: usize, threads: usize) -> Vec<Range<usize>> {
+    let each = blocks.div_ceil(threads).max(1);
+    let (long, short) = match threads > 1 && each >= WORTH_CUTTING {
+        true => (each - each / 8, (each / 16).max(WORTH_CUTTING / 4)),
+        false => (each, each),
+    };
+    let mut next = 0;
+    let run = |k| {
+        let start = next;
+        next = (start + if k < threads { long } else { short }).min(blocks);
+        start..next
+    };
+    (0..).map(run).take_while(|run| !run.is_empty()).collect()
+}
+
+/// What lies beside the discs of these blocks.
+fn places_of<'a, T>(blocks: &Range<usize>, beside: &'a [T]) -> &'a [T] {
+    let [start, end] = [blocks.start, blocks.end].map(|block| (block * BLOCK).min(beside.len()));
+    &beside[start..end]
+}
+
+/// The first `length` of what is there, which is there no more.
+fn first_of<'a, T>(there: &mut &'a mut [T], length: usize) -> &'a mut [T] {
+    let length = length.min(there.len());
+    let (first, rest) = std::mem::take(there).split_at_mut(length);
+    *there = rest;
+    first
 }
 
 impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {

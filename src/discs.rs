@@ -29,7 +29,7 @@ pub trait Discs: Motion + Send {
     /// Number of discs.
     fn count(&self) -> usize;
     /// The sum of `quantity` over all discs, in a fixed order.
-    fn sum(&self, quantity: &dyn Fn(&Particle) -> f64) -> f64;
+    fn sum(&self, quantity: &(dyn Fn(&Particle) -> f64 + Sync)) -> f64;
     /// Acceleration of gravity, m/s2.
     fn gravity(&self) -> DVec2;
     /// Energy stored in contacts and other forces, J.
@@ -201,7 +201,7 @@ impl Discs for PlainDiscs {
         self.particles.len()
     }
 
-    fn sum(&self, quantity: &dyn Fn(&Particle) -> f64) -> f64 {
+    fn sum(&self, quantity: &(dyn Fn(&Particle) -> f64 + Sync)) -> f64 {
         work::sum_over(&self.particles, quantity)
     }
 

@@ -157,7 +157,7 @@ impl Simulation {
     }
 
     /// The sum of `quantity` over all discs, added in a fixed order.
-    pub fn sum_over(&self, quantity: impl Fn(&Particle) -> f64) -> f64 {
+    pub fn sum_over(&self, quantity: impl Fn(&Particle) -> f64 + Sync) -> f64 {
         self.discs.sum(&quantity)
     }
 

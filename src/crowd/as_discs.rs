@@ -4,13 +4,13 @@ use glam::DVec2;
 
 use super::kept::{Resized, Since};
 use super::near::Listed;
-use super::{BLOCK, Crowd, LaneLaw};
+use super::{Crowd, LaneLaw};
 use crate::discs::{Discs, Kept, PlainDiscs, Remembered, Snapshot};
 use crate::force::{Contacts, Force, Tally, Walls};
 use crate::integrator::Motion;
 use crate::neighbours::Neighbours;
-use crate::particle::{Contact, Particle};
-use crate::work::{Sum, Works, kinetic_energy};
+use crate::particle::Particle;
+use crate::work::{Works, kinetic_energy};
 
 impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     fn as_motion(&mut self) -> &mut dyn Motion {
@@ -43,12 +43,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.particles.len()
     }
 
-    fn sum(&self, quantity: &dyn Fn(&Particle) -> f64) -> f64 {
-        let mut total = Sum::default();
-        for block in self.particles.chunks(BLOCK) {
-            total.add(block.iter().map(quantity).sum());
-        }
-        total.value()
+    fn sum(&self, quantity: &(dyn Fn(&Particle) -> f64 + Sync)) -> f64 {
+        self.sum_of_discs(quantity)
     }
 
     fn gravity(&self) -> DVec2 {
@@ -56,10 +52,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     }
 
     fn stored_energy(&self) -> f64 {
-        let mut total = Sum::default();
-        let blocks = 0..self.particles.len().div_ceil(BLOCK);
-        blocks.for_each(|block| total.add(self.energy_stored_in(block)));
-        total.value()
+        self.energy_stored()
     }
 
     fn tally(&self) -> &Tally {
@@ -135,7 +128,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.places.take();
         self.since_forces = Since::Unknown;
         let Self { particles, ids, planes, .. } = self;
-        self.near.restore(snapshot, Listed { particles, ids, planes }, &mut self.team);
+        self.near.restore(snapshot, Listed { particles, ids, planes }, &self.team);
     }
 
     fn keep(&self, kept: &mut Kept) {
@@ -148,30 +141,5 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
 
     fn lists_made(&self) -> u64 {
         self.near.made
-    }
-}
-
-impl<L: LaneLaw> Crowd<L> {
-    /// Energy stored in the contacts of the discs of a block with walls and with discs ahead, J.
-    fn energy_stored_in(&self, block: usize) -> f64 {
-        let ahead = &self.particles[block * BLOCK..];
-        let first = block * BLOCK;
-        let places = first..(first + BLOCK).min(self.particles.len());
-        let mut stored = 0.0;
-        for &place in self.near.at_wall_among(&places) {
-            let disc = &self.particles[place as usize];
-            for plane in &self.planes {
-                let distance = plane.distance(disc.position);
-                if let Some(contact) = Contact::with_wall(disc, distance, plane.normal) {
-                    stored += self.law.stored_energy(&contact);
-                }
-            }
-        }
-        for &[a, b] in &self.near.pairs[self.near.pairs_of(block)] {
-            if let Some(contact) = Contact::between(&ahead[a as usize], &ahead[b as usize]) {
-                stored += self.law.stored_energy(&contact);
-            }
-        }
-        stored
     }
 }

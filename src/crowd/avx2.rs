@@ -72,8 +72,16 @@ impl Lanes for Four {
         Self(unsafe { _mm256_min_pd(self.0, other.0) })
     }
     #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        Self(unsafe { _mm256_max_pd(self.0, other.0) })
+    }
+    #[inline(always)]
     fn negated(self) -> Self {
         Self(unsafe { _mm256_xor_pd(self.0, self.all(-0.0).0) })
+    }
+    #[inline(always)]
+    fn neighbours_exchanged(self) -> Self {
+        Self(unsafe { _mm256_permute_pd::<0b0101>(self.0) })
     }
     #[inline(always)]
     fn is_less(self, other: Self) -> Self {

@@ -1,8 +1,8 @@
-//! Square cells, row by row, and discs stored in their order.
+//! Square cells, row by row or column by column, and discs stored in their order.
 
 use std::ops::Range;
 
-use glam::DVec2;
+use glam::{DVec2, Vec2Swizzles};
 
 use crate::particle::Particle;
 
@@ -14,6 +14,9 @@ const SAMPLE: usize = 1000;
 pub(super) struct Cells {
     corner: DVec2, // m
     per_metre: f64,
+    /// Cells follow each other along the shorter side of where most discs are, so that neighbours in the
+    /// next row lie near in memory; if that is upright, x and y are exchanged here.
+    is_upright: bool,
     columns: usize,
     rows: usize,
     /// The first place of each cell's discs, and the end.
@@ -38,18 +41,24 @@ impl Cells {
         self.corner = DVec2::new(left, low);
         self.per_metre = 1.0 / side;
         let along = |length: f64| ((length / side).max(0.0) as usize).max(1);
-        (self.columns, self.rows) = (along(width), along(height));
+        self.is_upright = height < width;
+        (self.columns, self.rows) = match self.is_upright {
+            true => (along(height), along(width)),
+            false => (along(width), along(height)),
+        };
     }
 
     fn column_and_row(&self, position: DVec2) -> (usize, usize) {
         let cell = (position - self.corner) * self.per_metre;
+        let cell = if self.is_upright { cell.yx() } else { cell };
         // `as` sends negative numbers and NaN to 0 and large ones to the last cell.
         ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1))
     }
 
     /// The order in which the discs are to be stored: for each place, where its disc is now. Discs of
-    /// a cell keep their order.
-    pub fn order(&mut self, particles: &[Particle]) -> Vec<u32> {
+    /// a cell follow each other by id, so that two at exactly one place are always the same first and
+    /// second of their contact.
+    pub fn order(&mut self, particles: &[Particle], ids: &[u32]) -> Vec<u32> {
         let cell_of = |p: &Particle| {
             let (column, row) = self.column_and_row(p.position);
             row * self.columns + column
@@ -68,6 +77,10 @@ impl Cells {
             let start = &mut starts[cell_of(p)];
             *start -= 1;
             order[*start as usize] = now as u32;
+        }
+        for ends in starts.windows(2).filter(|ends| ends[1] - ends[0] > 1) {
+            let in_cell = &mut order[ends[0] as usize..ends[1] as usize];
+            in_cell.sort_unstable_by_key(|&now| ids[now as usize]);
         }
         self.starts = starts;
         order
@@ -139,8 +152,9 @@ mod tests {
     fn neighbours_within_reach_are_ahead_of_one_another_wherever_discs_are() {
         let golden = |k: usize| (0.618_034 * k as f64).fract();
         let spread = |k: usize| DVec2::new(golden(k), golden(7 * k + 3));
-        let kinds: [fn(DVec2) -> DVec2; 4] = [
+        let kinds: [fn(DVec2) -> DVec2; 5] = [
             |place| place,
+            |place| DVec2::new(place.x, 10.0 * place.y),
             |place| DVec2::new(place.x, 0.0),
             |place| DVec2::new(100.0 * place.x, place.y),
             |place| if place.x < 0.01 { 1e6 * place } else { place },
@@ -150,7 +164,8 @@ mod tests {
                 (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
             let (reach, mut cells) = (0.05, Cells::default());
             cells.lay_out(&discs, |_| reach);
-            put_in_order(&mut cells.order(&discs), |a, b| discs.swap(a, b));
+            let ids: Vec<u32> = (0..400).rev().collect();
+            put_in_order(&mut cells.order(&discs, &ids), |a, b| discs.swap(a, b));
             for (a, p) in discs.iter().enumerate() {
                 let [here, above] = cells.ahead_of(a, p.position);
                 for (b, q) in discs.iter().enumerate().skip(a + 1) {

@@ -92,7 +92,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         self.works = has_ledger.then_some(snapshot.works);
         self.springs.resize(if *has_ledger { self.ids.len() } else { 0 }, DVec2::ZERO);
         let Self { particles, ids, planes, .. } = self;
-        self.near.restore(snapshot, Listed { particles, ids, planes }, &mut self.team);
+        self.near.restore(snapshot, Listed { particles, ids, planes }, &self.team);
         self.forces_are_wanted = true;
         self.settle();
         if !forces.is_empty() {

@@ -26,8 +26,14 @@ pub trait Lanes:
     /// The lesser of each two; the second if one is no number.
     fn lesser(self, other: Self) -> Self;
 
+    /// The greater of each two; the second if one is no number.
+    fn greater(self, other: Self) -> Self;
+
     /// All with the other sign.
     fn negated(self) -> Self;
+
+    /// (a, b, c, d) as (b, a, d, c).
+    fn neighbours_exchanged(self) -> Self;
 
     /// Where this is less than `other`: all bits, else none.
     fn is_less(self, other: Self) -> Self;
@@ -74,8 +80,17 @@ impl Lanes for f64x4 {
         self.fast_min(other)
     }
     #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        self.cmp_gt(other).blend(self, other)
+    }
+    #[inline(always)]
     fn negated(self) -> Self {
         self ^ Self::splat(-0.0)
+    }
+    #[inline(always)]
+    fn neighbours_exchanged(self) -> Self {
+        let [a, b, c, d] = self.to_array();
+        Self::new([b, a, d, c])
     }
     #[inline(always)]
     fn is_less(self, other: Self) -> Self {

@@ -1,8 +1,9 @@
 //! Kicks and drifts, block by block: each disc is fetched once for all that is to be done with it.
 
 use glam::DVec2;
-use wide::f64x2;
 
+use super::lanes::Lanes;
+use super::motion_lanes::KickAndDrift;
 use super::near::reference;
 use crate::particle::Particle;
 
@@ -31,60 +32,59 @@ pub(super) struct Block<'a> {
 impl Block<'_> {
     /// Moves the discs under `gravity` (m/s2) and says how far the farthest is from where it was listed:
     /// the square of it, m2.
-    pub fn go(self, moves: &[Move], gravity: DVec2) -> f64 {
+    #[inline(always)]
+    pub fn go<V: Lanes>(self, zero: V, moves: &[Move], gravity: DVec2) -> f64 {
         let Self { particles, springs, listed_at, books } = self;
         let mut books = books.iter_mut();
         // The last drift goes with a look at where it leads, and with the kick before it.
-        let (before, last) = match moves {
-            [before @ .., Move::Kick(kick), Move::Drift(drift)] => (before, Some((*kick, *drift))),
+        let (before, last) = match *moves {
+            [ref before @ .., Move::Kick(kick), Move::Drift(drift)] => {
+                (before, Some(KickAndDrift { kick, drift, gravity }))
+            }
             _ => (moves, None),
         };
         for to_do in before {
             match (to_do, books.next_if_kick(to_do)) {
                 (Move::Kick(dt), Some(booked)) => {
-                    *booked = kick_and_book(particles, springs, gravity, *dt, |_| ());
+                    *booked = kick_and_book(particles, springs, gravity, *dt);
                 }
                 (Move::Kick(dt), None) => particles.iter_mut().for_each(|disc| disc.kick(*dt)),
                 (Move::Drift(dt), _) => particles.iter_mut().for_each(|disc| disc.drift(*dt)),
             }
         }
-        let mut farthest = Farthest(0.0);
-        let listed = listed_at.iter();
         match (last, books.next()) {
-            (Some((kick, drift)), Some(booked)) => {
-                let mut listed = listed;
-                *booked = kick_and_book(particles, springs, gravity, kick, |disc| {
-                    disc.drift(drift);
-                    listed.next().into_iter().for_each(|at| farthest.look(disc, at));
-                });
+            (Some(last), Some(booked)) => {
+                let farthest;
+                (farthest, *booked) = last.move_all::<V, true>(zero, particles, springs, listed_at);
+                farthest
             }
-            (Some((kick, drift)), None) => {
-                for (disc, at) in particles.iter_mut().zip(listed) {
-                    disc.kick(kick);
-                    disc.drift(drift);
-                    farthest.look(disc, at);
-                }
-            }
+            (Some(last), None) => last.move_all::<V, false>(zero, particles, &[], listed_at).0,
             (None, _) => {
-                particles.iter().zip(listed).for_each(|(disc, at)| farthest.look(disc, at))
+                let mut farthest = Farthest::of([0.0; 4]);
+                particles.iter().zip(listed_at).for_each(|(disc, at)| farthest.look(disc, at));
+                farthest.among_finite(particles, listed_at)
             }
         }
-        farthest.among_finite(particles, listed_at)
     }
 }
 
 /// The square of how far the farthest disc is from where it was listed, m2.
-struct Farthest(f64);
+pub(super) struct Farthest(f64);
 
 impl Farthest {
+    /// The largest of several.
+    pub fn of(squares: [f64; 4]) -> Self {
+        Self(squares.into_iter().fold(0.0, f64::max))
+    }
+
     #[inline(always)]
-    fn look(&mut self, disc: &Particle, listed_at: &[f32; 2]) {
+    pub fn look(&mut self, disc: &Particle, listed_at: &[f32; 2]) {
         let moved = disc.position.distance_squared(reference(*listed_at));
         self.0 = if moved > self.0 { moved } else { self.0 };
     }
 
     /// A disc whose position is no number any more touches nobody and does not count.
-    fn among_finite(self, particles: &[Particle], listed_at: &[[f32; 2]]) -> f64 {
+    pub fn among_finite(self, particles: &[Particle], listed_at: &[[f32; 2]]) -> f64 {
         if self.0.is_finite() {
             return self.0;
         }
@@ -106,32 +106,23 @@ impl<'a, I: Iterator<Item = &'a mut Booked>> NextIfKick<'a> for I {
     }
 }
 
-/// Kicks by `dt` (s), does what else is to be done with each disc `then`, and says what weight, springs
-/// and dashpots did in the kick, J.
+/// Kicks by `dt` (s), and says what weight, springs and dashpots did in the kick, J.
 ///
 /// Only weight and contacts act here, so the dashpots' force is what is left of the whole.
-fn kick_and_book(
+pub(super) fn kick_and_book(
     particles: &mut [Particle],
     springs: &[DVec2],
     gravity: DVec2,
     dt: f64,
-    mut then: impl FnMut(&mut Particle),
 ) -> Booked {
-    let vector = |v: DVec2| f64x2::new(v.to_array());
-    let (gravity, half) = (vector(gravity), f64x2::splat(0.5 * dt));
-    // By components, added at the end.
-    let mut booked = [f64x2::ZERO; 3];
+    let mut booked = [0.0; 3];
     for (disc, &spring) in particles.iter_mut().zip(springs) {
-        let before = vector(disc.velocity);
+        let before = disc.velocity;
         disc.kick(dt);
-        let path = (before + vector(disc.velocity)) * half;
-        let weight = f64x2::splat(disc.mass) * gravity;
-        let spring = vector(spring);
-        let dashpot = vector(disc.force) - weight - spring;
-        booked[0] += weight * path;
-        booked[1] += spring * path;
-        booked[2] += dashpot * path;
-        then(disc);
+        let path = (before + disc.velocity) * (0.5 * dt);
+        let weight = disc.mass * gravity;
+        let works = [weight, spring, disc.force - weight - spring].map(|force| force.dot(path));
+        (0..3).for_each(|kind| booked[kind] += works[kind]);
     }
-    booked.map(|work| work.to_array()[0] + work.to_array()[1])
+    booked
 }

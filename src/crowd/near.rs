@@ -39,7 +39,7 @@ pub(super) struct Near {
     pub reaches_back_to: Vec<u32>,
     /// One after the last place that pairs of each block, or of one before it, reach.
     reaches_ahead_to: Vec<u32>,
-    /// Pairs that are still needed when those of a block have been walked, at most; a power of two.
+    /// Pairs that are still needed when those of a block have been walked, at most: the ring's length.
     pub pairs_at_a_time: usize,
     /// Places of the discs that may touch a wall, ascending.
     pub at_wall: Vec<u32>,

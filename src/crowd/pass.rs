@@ -130,7 +130,7 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
             let listed_at = listed_at.get(here.clone()).unwrap_or_default();
             let books = books.next().unwrap_or_default();
             let block = Block { particles: &mut particles[here], springs, listed_at, books };
-            found.farthest = found.farthest.max(block.go(self.moves, self.gravity));
+            found.farthest = found.farthest.max(block.go(zero, self.moves, self.gravity));
         }
         kept
     }
@@ -171,23 +171,26 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
             return;
         }
         let law = self.law.clone();
-        let ring = &mut ring[..self.near.pairs_at_a_time]; // a power of two
-        let last = ring.len() - 1;
-        let mut pair = pairs.start;
+        let ring = &mut ring[..self.near.pairs_at_a_time];
+        let round = ring.len();
+        let mut slot = pairs.start % round;
         let mut fours = self.near.pairs[pairs].chunks_exact(4);
         for four in &mut fours {
             let four = [four[0], four[1], four[2], four[3]];
             let stored = stored::<L, V, K>(&law, zero, four, discs, largest);
-            (0..4).for_each(|k| ring[(pair + k) & last] = stored[k]);
-            pair += 4;
+            match ring.get_mut(slot..slot + 4) {
+                Some(slots) => (0..4).for_each(|k| slots[k] = stored[k]),
+                None => (0..4).for_each(|k| ring[(slot + k) % round] = stored[k]),
+            }
+            slot += 4;
+            slot -= if slot < round { 0 } else { round };
         }
         if let [first, ..] = fours.remainder() {
             let mut four = [*first; 4];
             four.iter_mut().zip(fours.remainder()).for_each(|(to, from)| *to = *from);
             let stored = stored::<L, V, K>(&law, zero, four, discs, largest);
-            for (stored, _) in stored.into_iter().zip(fours.remainder()) {
-                ring[pair & last] = stored;
-                pair += 1;
+            for (k, _) in fours.remainder().iter().enumerate() {
+                ring[(slot + k) % round] = stored[k];
             }
         }
     }

@@ -6,7 +6,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread::{self, JoinHandle};
 
 /// Looks for work before a thread lets others run, if there is a core for each, and looks after that
@@ -20,6 +20,8 @@ type Work<'a> = &'a (dyn Fn() + Sync);
 pub(super) struct Team {
     desk: Arc<Desk>,
     helpers: Vec<JoinHandle<()>>,
+    /// Held by whoever has work on the desk.
+    caller: Mutex<()>,
 }
 
 /// Where helpers find their work.
@@ -48,7 +50,7 @@ impl Team {
             thread::Builder::new().name(format!("step {k}")).spawn(move || desk.help()).ok()
         };
         let helpers = (1..threads).map_while(hire).collect();
-        Self { desk, helpers }
+        Self { desk, helpers, caller: Mutex::default() }
     }
 
     /// Number of threads.
@@ -57,14 +59,20 @@ impl Team {
     }
 
     /// Does `work` for each of `shares`: the caller and whoever of the team comes in time take one
-    /// after the other, so that nobody waits for a thread that the system does not let run.
-    pub fn each<T: Send>(&mut self, shares: Vec<T>, work: impl Fn(T) + Sync) {
-        if shares.len() < 2 || self.helpers.is_empty() {
+    /// after the other, so that nobody waits for a thread that the system does not let run. While the
+    /// team is at another work, the caller does it alone.
+    pub fn each<T: Send>(&self, shares: Vec<T>, work: impl Fn(T) + Sync) {
+        let caller = match self.caller.try_lock() {
+            Err(TryLockError::WouldBlock) => None,
+            Err(TryLockError::Poisoned(caller)) => Some(caller.into_inner()),
+            Ok(caller) => Some(caller),
+        };
+        let (Some(caller), 2.., 1..) = (&caller, shares.len(), self.helpers.len()) else {
             return shares.into_iter().for_each(work);
-        }
+        };
         let shares: Vec<_> = shares.into_iter().map(|share| Mutex::new(Some(share))).collect();
         let next = AtomicUsize::new(0);
-        self.share_out(&|| {
+        self.share_out(caller, &|| {
             while let Some(share) = shares.get(next.fetch_add(1, Ordering::Relaxed)) {
                 locked(share).take().into_iter().for_each(&work);
             }
@@ -72,11 +80,11 @@ impl Team {
     }
 
     /// Does `work` here and in every helper that comes before it is done.
-    fn share_out(&mut self, work: Work) {
+    fn share_out(&self, _caller: &MutexGuard<()>, work: Work) {
         // SAFETY: a helper takes `work` from the desk under its lock, counting itself `busy` under the
         // same lock, and uses it until it counts itself out. `Waiting`, which is there before `work` is,
         // takes `work` off the desk and waits until nobody is busy, before this function returns or
-        // unwinds. `&mut self` keeps a second work from being laid on the desk meanwhile.
+        // unwinds. `_caller` keeps a second work from being laid on the desk meanwhile.
         #[allow(unsafe_code)]
         let lasting = unsafe { std::mem::transmute::<Work<'_>, Work<'static>>(work) };
         self.desk.has_panicked.store(false, Ordering::Relaxed);
@@ -165,7 +173,7 @@ impl Desk {
     }
 }
 
-fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -176,7 +184,7 @@ mod tests {
     #[test]
     fn every_share_is_done_once_whoever_does_it() {
         for threads in [1, 2, 5] {
-            let mut team = Team::of(threads);
+            let team = Team::of(threads);
             for shares in 0..=2 * threads {
                 for _ in 0..200 {
                     let mut sums = vec![0; shares];
@@ -188,8 +196,20 @@ mod tests {
     }
 
     #[test]
+    fn who_asks_a_team_at_work_does_it_alone() {
+        let team = Team::of(3);
+        let done = AtomicUsize::new(0);
+        team.each((0..6).collect(), |_: usize| {
+            team.each((0..4).collect(), |_: usize| {
+                done.fetch_add(1, Ordering::Relaxed);
+            });
+        });
+        assert_eq!(done.into_inner(), 24);
+    }
+
+    #[test]
     fn a_panic_reaches_the_caller_once_nobody_is_at_work_and_the_team_goes_on() {
-        let mut team = Team::of(3);
+        let team = Team::of(3);
         for _ in 0..3 {
             let at_work = AtomicUsize::new(0);
             let outcome = catch_unwind(AssertUnwindSafe(|| {

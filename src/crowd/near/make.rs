@@ -29,7 +29,7 @@ pub(in crate::crowd) struct Listed<'a> {
 
 impl Near {
     /// A new list. `cells` tells where the discs, now stored cell by cell, lie; `skin` in m.
-    pub fn make(&mut self, listed: Listed, cells: &Cells, skin: f64, team: &mut Team) {
+    pub fn make(&mut self, listed: Listed, cells: &Cells, skin: f64, team: &Team) {
         self.skin = skin;
         self.list_pairs(listed.particles, cells, skin, team);
         self.list_the_rest(listed, skin, team);
@@ -40,7 +40,7 @@ impl Near {
 
     /// A list for discs to which `snapshot` goes back. They lie about where they were listed, so the skin
     /// is twice as wide; the next list is made at the same step as the first time.
-    pub fn restore(&mut self, snapshot: &Snapshot, listed: Listed, team: &mut Team) {
+    pub fn restore(&mut self, snapshot: &Snapshot, listed: Listed, team: &Team) {
         let Snapshot { listed_at, skin, limit_squared, .. } = snapshot;
         self.skin = *skin;
         self.limit_squared = *limit_squared;
@@ -50,14 +50,14 @@ impl Near {
 
     /// Lists discs that are not stored cell by cell, with a skin twice as wide, and refers to no new
     /// positions.
-    pub fn list_anywhere(&mut self, listed: Listed, team: &mut Team) {
+    pub fn list_anywhere(&mut self, listed: Listed, team: &Team) {
         let skin = 2.0 * self.skin;
-        self.list_pairs_anywhere(listed.particles, skin);
+        self.list_pairs_anywhere(listed, skin);
         self.list_the_rest(listed, skin, team);
         self.is_there = true;
     }
 
-    fn list_the_rest(&mut self, listed: Listed, skin: f64, team: &mut Team) {
+    fn list_the_rest(&mut self, listed: Listed, skin: f64, team: &Team) {
         let Listed { particles, ids, planes } = listed;
         self.list_parts(particles.len());
         self.order_parts(ids, team);
@@ -71,7 +71,7 @@ impl Near {
         self.at_wall.extend(places.filter(|(_, p)| may_touch(p)).map(|(place, _)| place));
     }
 
-    fn list_pairs(&mut self, particles: &[Particle], cells: &Cells, skin: f64, team: &mut Team) {
+    fn list_pairs(&mut self, particles: &[Particle], cells: &Cells, skin: f64, team: &Team) {
         self.pairs.clear();
         self.first_pair.clear();
         let blocks = particles.len().div_ceil(BLOCK);
@@ -95,10 +95,11 @@ impl Near {
     }
 
     /// The pairs of discs that are not stored cell by cell.
-    fn list_pairs_anywhere(&mut self, particles: &[Particle], skin: f64) {
+    fn list_pairs_anywhere(&mut self, listed: Listed, skin: f64) {
+        let Listed { particles, ids, .. } = listed;
         let mut cells = Cells::default();
         cells.lay_out(particles, |_| 2.0 * largest_radius(particles) + skin);
-        let order = cells.order(particles);
+        let order = cells.order(particles, ids);
         self.pairs.clear();
         for (at, &place) in order.iter().enumerate() {
             let p = &particles[place as usize];
@@ -152,7 +153,7 @@ impl Near {
     }
 
     /// Puts every disc's parts into ascending id of the partner.
-    fn order_parts(&mut self, ids: &[u32], team: &mut Team) {
+    fn order_parts(&mut self, ids: &[u32], team: &Team) {
         let Self { pairs, first_triple, triples, reaches_back_to, .. } = self;
         let partner = |part: u32| ids[pairs[part as usize / 2][1 - part as usize % 2] as usize];
         let blocks = ids.len().div_ceil(BLOCK);
@@ -182,8 +183,19 @@ impl Near {
     /// Names parts by where in the ring they will lie.
     fn place_parts_in_ring(&mut self) {
         let ring = 2 * self.pairs_at_a_time as u32;
-        for part in self.triples.as_flattened_mut() {
-            *part = if *part == u32::MAX { ring } else { *part & (ring - 1) };
+        let n = self.first_triple.len() - 1;
+        for (block, &from) in self.reaches_back_to.iter().enumerate() {
+            let places = [block * BLOCK, ((block + 1) * BLOCK).min(n)];
+            let [start, end] = places.map(|place| self.first_triple[place] as usize);
+            // The block's parts are at most once around the ring after this.
+            let round = if from == u32::MAX { 0 } else { 2 * from / ring * ring };
+            for part in self.triples[start..end].as_flattened_mut() {
+                *part = match *part {
+                    u32::MAX => ring,
+                    part if part - round < ring => part - round,
+                    part => part - round - ring,
+                };
+            }
         }
     }
 
@@ -203,7 +215,7 @@ impl Near {
     fn most_pairs_at_a_time(&self) -> usize {
         let ends = self.first_pair.iter().skip(1);
         let needed = ends.zip(&self.reaches_back_to).map(|(&end, &from)| end.saturating_sub(from));
-        (needed.max().unwrap_or(0) as usize + 1).next_power_of_two()
+        needed.max().unwrap_or(0).max(4) as usize // four are put there at a time
     }
 }
 
