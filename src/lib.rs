@@ -47,3 +47,4 @@ pub mod placement;
 pub mod scenario;
 pub mod simulation;
 pub mod work;
+pub mod workshop;
