@@ -82,6 +82,9 @@ pub(super) struct Tracer<'a> {
     processes: usize,
     command: Option<Pid>,
     ending: Ending,
+    /// Those of whom their parents have told.
+    announced: HashSet<Pid>,
+    gone_unannounced: HashSet<Pid>,
 }
 
 /// Makes this thread the tracer of `pid`, a child of it, and of all that come from it; they die with it.
@@ -103,7 +106,16 @@ impl<'a> Tracer<'a> {
         processes: usize,
     ) -> Self {
         let ending = Ending::default();
-        Self { watched, camera, programs_before: programs, processes, command: None, ending }
+        Self {
+            watched,
+            camera,
+            programs_before: programs,
+            processes,
+            command: None,
+            ending,
+            announced: HashSet::new(),
+            gone_unannounced: HashSet::new(),
+        }
     }
 
     /// Until nothing is left of the submission.
@@ -125,6 +137,9 @@ impl<'a> Tracer<'a> {
     }
 
     fn has_gone(&mut self, pid: Pid, change: Change) {
+        if !self.announced.remove(&pid) {
+            self.gone_unannounced.insert(pid);
+        }
         let mut known = self.watched.lock();
         known.all.remove(&pid);
         if self.command == Some(pid) {
@@ -142,11 +157,22 @@ impl<'a> Tracer<'a> {
 
     fn event(&mut self, pid: Pid, event: i32) {
         match event {
-            // What is new stops so before its first step; its parent may tell later that it is there.
+            libc::PTRACE_EVENT_FORK | libc::PTRACE_EVENT_VFORK | libc::PTRACE_EVENT_CLONE => {
+                let child = ptrace::getevent(pid).map(|child| Pid::from_raw(child as i32));
+                child.into_iter().for_each(|child| self.is_announced(child));
+            }
             libc::PTRACE_EVENT_STOP => self.has_come(pid),
             libc::PTRACE_EVENT_EXEC => self.has_become_another(pid),
             libc::PTRACE_EVENT_SECCOMP => self.look(pid),
             _ => {}
+        }
+    }
+
+    /// A parent tells of its child: before the child's first step, or after its end.
+    fn is_announced(&mut self, child: Pid) {
+        if !self.gone_unannounced.remove(&child) {
+            self.announced.insert(child);
+            self.has_come(child);
         }
     }
 
