@@ -1,6 +1,7 @@
 //! The workshop on Linux.
 
 mod bubble;
+mod call;
 mod camera;
 mod clock;
 mod copy;
@@ -16,6 +17,7 @@ mod stops;
 mod supervise;
 mod trace;
 mod untraced;
+mod warden;
 
 pub use jail::jail_if_asked;
 pub use made::Made;

@@ -8,6 +8,8 @@ use seccompiler::{
     SeccompFilter, SeccompRule, sock_filter,
 };
 
+use super::warden::{MODES, SIGNALS};
+
 type Rules = BTreeMap<i64, Vec<SeccompRule>>;
 
 /// Calls that no student program needs: other processes, namespaces, the kernel, the clock,
@@ -75,6 +77,7 @@ const ABSENT: &[i64] = &[
 const DENIED_AS_CALLER: &[i64] = &[
     libc::SYS_truncate, // Landlock watches it since Linux 6.2 only
     libc::SYS_fchownat,
+    libc::SYS_pidfd_open, // signals by number are watched
     libc::SYS_setxattr,
     libc::SYS_lsetxattr,
     libc::SYS_removexattr,
@@ -108,6 +111,8 @@ const CLONE_FLAGS: [i32; 8] = [
 pub(super) struct Filters {
     /// Whether the submission has the uid of the caller (tiers C and D).
     pub as_caller: bool,
+    /// Whether there is a tracer.
+    pub is_traced: bool,
     /// Whether calls that replace a file stop for the tracer.
     pub film: bool,
 }
@@ -130,8 +135,12 @@ pub(super) fn programs(filters: Filters) -> Result<Vec<BpfProgram>, BackendError
         program(denied, SeccompAction::Errno(libc::EPERM as u32))?,
         program(absent, SeccompAction::Errno(libc::ENOSYS as u32))?,
     ];
-    if filters.film {
-        programs.push(program(replacing()?, SeccompAction::Trace(0))?);
+    let mut traced = if filters.film { replacing()? } else { Rules::new() };
+    if filters.as_caller && filters.is_traced {
+        traced.extend(SIGNALS.iter().chain(MODES).map(|&call| (call, Vec::new())));
+    }
+    if !traced.is_empty() {
+        programs.push(program(traced, SeccompAction::Trace(0))?);
     }
     Ok(programs)
 }

@@ -89,6 +89,9 @@ impl Workshop {
             Tier::A if bubblewrap().is_none() => return Err("bwrap is not installed".to_owned()),
             Tier::B if !is_root => return Err("not started by root".to_owned()),
             Tier::C if is_root => return Err("started by root".to_owned()),
+            Tier::C if !self.is_traced => {
+                return Err("ptrace is refused, and chmod could not be held back".to_owned());
+            }
             Tier::D if is_root => return Err("started by root".to_owned()),
             Tier::D if !allow_unsandboxed => return Err("needs --allow-unsandboxed".to_owned()),
             _ => {}
@@ -167,6 +170,7 @@ impl Workshop {
             walls: self.walls(work, scratch),
             filters: Some(Filters {
                 as_caller: owner.is_none() && self.tier != Tier::A,
+                is_traced: self.is_traced,
                 film: film && self.is_traced,
             }),
             command: command.to_vec(),

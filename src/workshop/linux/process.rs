@@ -48,6 +48,22 @@ pub(super) fn go_on(pid: Pid, signal: i32) {
     unsafe { libc::ptrace(libc::PTRACE_CONT, pid.as_raw(), address, libc::c_long::from(signal)) };
 }
 
+/// Makes the call before which `pid` is stopped another one; -1: none.
+///
+/// # Errors
+///
+/// If `pid` is not stopped, or gone.
+#[cfg(target_arch = "aarch64")]
+pub(super) fn set_call(pid: Pid, mut number: i32) -> nix::Result<()> {
+    const NT_ARM_SYSTEM_CALL: libc::c_int = 0x404;
+    let mut part = libc::iovec { iov_base: (&raw mut number).cast(), iov_len: size_of::<i32>() };
+    // SAFETY: the kernel reads `number` through `part`; both live until the call returns.
+    let result = unsafe {
+        libc::ptrace(libc::PTRACE_SETREGSET, pid.as_raw(), NT_ARM_SYSTEM_CALL, &raw mut part)
+    };
+    Errno::result(result).map(drop)
+}
+
 fn change(status: i32) -> Change {
     if libc::WIFEXITED(status) {
         Change::Ended(libc::WEXITSTATUS(status))

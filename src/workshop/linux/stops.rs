@@ -1,13 +1,13 @@
 //! What a traced process is about to do at a stop: which file it is going to replace.
 
-use std::ffi::c_void;
 use std::fs::{self, Metadata};
 use std::io;
 use std::os::unix::fs::MetadataExt;
 
 use nix::libc;
-use nix::sys::ptrace;
 use nix::unistd::Pid;
+
+use super::call::{Call, text, word};
 
 /// The name that matters.
 pub(super) const FILE: &str = "out.txt";
@@ -23,15 +23,8 @@ pub(super) enum About {
     Other,
 }
 
-/// The number and arguments of a system call.
-struct Call {
-    number: i64,
-    arguments: [u64; 6],
-}
-
 /// What the system call at which `pid` is stopped is about; `folder` is that of `out.txt`.
-pub(super) fn about(pid: Pid, folder: &Metadata) -> About {
-    let Some(call) = call_of(pid) else { return About::Other };
+pub(super) fn about(pid: Pid, call: &Call, folder: &Metadata) -> About {
     let [a, b, c, d, ..] = call.arguments;
     const HERE: u64 = libc::AT_FDCWD as u64;
     let named = |at: u64, path: u64| names(pid, at, path, folder);
@@ -51,19 +44,6 @@ pub(super) fn about(pid: Pid, folder: &Metadata) -> About {
         _ => false,
     };
     if is_about { About::Replacing } else { About::Other }
-}
-
-#[cfg(target_arch = "x86_64")]
-fn call_of(pid: Pid) -> Option<Call> {
-    let r = ptrace::getregs(pid).ok()?;
-    let arguments = [r.rdi, r.rsi, r.rdx, r.r10, r.r8, r.r9];
-    Some(Call { number: r.orig_rax as i64, arguments })
-}
-
-#[cfg(target_arch = "aarch64")]
-fn call_of(pid: Pid) -> Option<Call> {
-    let r = ptrace::getregs(pid).ok()?.regs;
-    Some(Call { number: r[8] as i64, arguments: [r[0], r[1], r[2], r[3], r[4], r[5]] })
 }
 
 /// Whether the path at `address` in the memory of `pid` names `out.txt` in `folder`.
@@ -97,27 +77,4 @@ fn is_open(pid: Pid, fd: u64, folder: &Metadata) -> bool {
 
 fn is_same(a: &Metadata, b: &Metadata) -> bool {
     a.dev() == b.dev() && a.ino() == b.ino()
-}
-
-/// The string at `address`, without its final zero.
-fn text(pid: Pid, address: u64) -> Option<Vec<u8>> {
-    let mut text = Vec::new();
-    // Words, so that none crosses into a page that may not be there.
-    let first = address & !7;
-    for k in 0..libc::PATH_MAX as u64 / 8 {
-        let skip = if k == 0 { (address - first) as usize } else { 0 };
-        for byte in word(pid, first + 8 * k)?.to_ne_bytes().into_iter().skip(skip) {
-            if byte == 0 {
-                return Some(text);
-            }
-            text.push(byte);
-        }
-    }
-    None
-}
-
-/// The eight bytes at `address`. By ptrace and not from `/proc`, for which root in a container may
-/// lack the right.
-fn word(pid: Pid, address: u64) -> Option<u64> {
-    ptrace::read(pid, address as *mut c_void).ok().map(|word| word as u64)
 }

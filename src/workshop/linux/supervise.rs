@@ -74,12 +74,13 @@ fn follow(job: Job) -> Result<Attempt, Closed> {
     }
     let watched = Watched::new(first);
     let mut camera = job.camera;
+    let folders = job.folders.clone();
     let clock = Clock {
         watched: &watched,
         wall: job.wall,
         memory: job.memory,
         files: job.files,
-        folders: job.folders,
+        folders: job.folders.clone(),
         appended: job.appended,
     };
     let (ending, log) = thread::scope(|scope| {
@@ -90,7 +91,8 @@ fn follow(job: Job) -> Result<Attempt, Closed> {
         let processes = job.processes + WRAPPERS;
         let ending = if job.is_traced {
             let programs_before = 1 + usize::from(job.is_wrapped);
-            Tracer::new(&watched, camera.as_mut(), programs_before, processes).until_the_end()
+            Tracer::new(&watched, camera.as_mut(), programs_before, processes, &folders)
+                .until_the_end()
         } else {
             Watcher {
                 watched: &watched,

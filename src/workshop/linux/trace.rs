@@ -1,6 +1,7 @@
 //! The tracer: sees every process of a submission begin and end, and stops it before it replaces `out.txt`.
 
 use std::collections::HashSet;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
@@ -10,9 +11,11 @@ use nix::sys::ptrace::{self, Options};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 
+use super::call::{call_of, leave_out};
 use super::camera::Camera;
 use super::process::{Change, go_on, wait_any};
 use super::stops::about;
+use super::warden::ruling;
 use crate::workshop::Outcome;
 
 /// What the tracer and the clock know of a submission that runs.
@@ -80,6 +83,8 @@ pub(super) struct Tracer<'a> {
     camera: Option<&'a mut Camera>,
     programs_before: usize,
     processes: usize,
+    /// Where the submission may change modes.
+    folders: &'a [PathBuf],
     command: Option<Pid>,
     ending: Ending,
     /// Those of whom their parents have told.
@@ -104,6 +109,7 @@ impl<'a> Tracer<'a> {
         camera: Option<&'a mut Camera>,
         programs: usize,
         processes: usize,
+        folders: &'a [PathBuf],
     ) -> Self {
         let ending = Ending::default();
         Self {
@@ -111,6 +117,7 @@ impl<'a> Tracer<'a> {
             camera,
             programs_before: programs,
             processes,
+            folders,
             command: None,
             ending,
             announced: HashSet::new(),
@@ -211,8 +218,17 @@ impl<'a> Tracer<'a> {
     }
 
     fn look(&mut self, pid: Pid) {
+        let Some(call) = call_of(pid) else { return };
+        let ruling = ruling(pid, &call, &self.watched.lock().all, self.folders);
+        if let Some(result) = ruling {
+            // If that is impossible the process is not to go on.
+            if leave_out(pid, result).is_err() {
+                let _ = kill(pid, Signal::SIGKILL);
+            }
+            return;
+        }
         let Some(camera) = self.camera.as_deref_mut() else { return };
-        camera.look(about(pid, camera.identity()));
+        camera.look(about(pid, &call, camera.identity()));
         self.watched.frames.store(camera.frames(), Ordering::Relaxed);
         if camera.is_full() {
             self.watched.stop(Outcome::EnoughFrames);
