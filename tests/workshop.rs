@@ -542,15 +542,33 @@ fn without_ptrace_frames_may_be_missed_but_none_is_torn() {
             continue;
         };
         let made = writer(&workshop);
-        let run = made.run(&errand(&["./writer", "overwrites", "0"], Some(20)), &limits()).unwrap();
-        assert_eq!(run.outcome, Outcome::EnoughFrames);
+        // Who looks seldom meets few whole frames of a program that never pauses: on a busy machine not
+        // twenty in the time there is.
+        let short = Limits { run_wall: Duration::from_secs(2), ..limits() };
+        let run = made.run(&errand(&["./writer", "overwrites", "0"], Some(20)), &short).unwrap();
+        assert!(
+            [Outcome::EnoughFrames, Outcome::TimeUp].contains(&run.outcome),
+            "{:?}",
+            run.outcome
+        );
         assert!(!run.every_frame);
         let seen = numbers(&run.film);
-        assert!(seen.iter().all(Option::is_some) && seen.is_sorted(), "tier {tier}: {seen:?}");
+        assert!(
+            seen.iter().all(Option::is_some) && seen.is_sorted(),
+            "tier {tier}: {:?}",
+            run.film
+        );
         let slow = "for k in 1 2 3 4 5; do echo $k 0 0 > out.txt; sleep 0.1; done";
         let run = shell(&workshop, slow, &limits());
         let expected = (1..=5).map(|k| format!("{k} 0 0\n").into_bytes()).collect();
         assert_eq!(run.film, Film::Snapshots(expected), "tier {tier}");
+        let added = "for k in 1 2 3 4 5; do printf '%s 0 0\\n\\n' $k >> out.txt; sleep 0.05; done";
+        let run = shell(&workshop, added, &limits());
+        let expected = (1..=5).map(|k| format!("{k} 0 0\n\n")).collect::<String>().into_bytes();
+        assert_eq!(run.film, Film::File(expected), "tier {tier}");
+        let run = made.run(&errand(&["./writer", "appends", "0"], Some(30)), &limits()).unwrap();
+        assert_eq!(run.outcome, Outcome::EnoughFrames, "tier {tier}");
+        assert!(matches!(run.film, Film::File(_)), "tier {tier}");
         let run = shell(&workshop, "kill -SEGV $$", &limits());
         assert_eq!(run.outcome, Outcome::Signal(11), "tier {tier}");
     }

@@ -1,8 +1,10 @@
 //! Keeps what a program writes to `out.txt`, frame by frame.
 
+use std::collections::HashMap;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::os::fd::OwnedFd;
+use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
 use nix::fcntl::{OFlag, openat};
@@ -22,6 +24,8 @@ pub(super) struct Camera {
     held: usize,
     /// How much a film may be.
     bounds: Bounds,
+    /// Frames were seen at any moment, not at stops.
+    is_from_outside: bool,
     torn: usize,
 }
 
@@ -41,7 +45,16 @@ impl Camera {
     pub fn on(folder: &Path, bounds: Bounds) -> io::Result<Self> {
         let identity = fs::symlink_metadata(folder)?;
         let folder = File::open(folder)?.into();
-        Ok(Self { folder, identity, frames: Vec::new(), was_left: false, held: 0, bounds, torn: 0 })
+        Ok(Self {
+            folder,
+            identity,
+            frames: Vec::new(),
+            was_left: false,
+            held: 0,
+            bounds,
+            is_from_outside: false,
+            torn: 0,
+        })
     }
 
     /// The folder, by which the tracer knows it again.
@@ -75,21 +88,30 @@ impl Camera {
         self.keep(bytes);
     }
 
-    /// Keeps what the file holds, seen at any moment, if it is new and looks whole.
+    /// Keeps what the file holds, seen at any moment, if it is new. Whether it was whole is told by all
+    /// of them at the end.
     pub fn glance(&mut self) {
         if self.is_full() {
             return;
         }
-        let Some(bytes) = self.read() else { return };
-        if bytes.is_empty() || self.frames.last() == Some(&bytes) {
-        } else if self.frames.last().is_none_or(|last| is_whole(&bytes, last))
-            && bytes.ends_with(b"\n")
-        {
-            self.was_left = true;
-            self.keep(bytes);
-        } else {
-            self.torn += 1;
+        let Some(bytes) = self.read_undisturbed().filter(|bytes| !bytes.is_empty()) else { return };
+        match self.frames.last_mut() {
+            // Still the same, or longer: it was not all there yet, or frames are added.
+            Some(last) if bytes.starts_with(last) => *last = bytes,
+            _ => self.keep(bytes),
         }
+        (self.was_left, self.is_from_outside) = (true, true);
+    }
+
+    /// Leaves out frames that are not like most: they were seen half-written.
+    fn leave_out_torn(&mut self) {
+        let mut counts = HashMap::new();
+        self.frames.iter().for_each(|frame| *counts.entry(shape(frame)).or_insert(0) += 1);
+        let most =
+            counts.into_iter().max_by_key(|&(shape, count)| (count, shape)).map(|(shape, _)| shape);
+        let before = self.frames.len();
+        self.frames.retain(|frame| Some(shape(frame)) == most);
+        self.torn += before - self.frames.len();
     }
 
     fn keep(&mut self, bytes: Vec<u8>) {
@@ -99,14 +121,26 @@ impl Camera {
 
     /// What `out.txt` holds, if it is a regular file. Follows no link and waits for no pipe.
     fn read(&self) -> Option<Vec<u8>> {
+        let mut file = self.file()?;
+        let mut bytes = Vec::new();
+        (&mut file).take(self.bounds.file).read_to_end(&mut bytes).ok()?;
+        Some(bytes)
+    }
+
+    /// What it holds, if nobody wrote to it meanwhile.
+    fn read_undisturbed(&self) -> Option<Vec<u8>> {
+        let state = || {
+            self.file()?.metadata().ok().map(|found| (found.ino(), found.len(), found.ctime_nsec()))
+        };
+        let before = state()?;
+        let bytes = self.read()?;
+        (Some(before) == state() && before.1 == bytes.len() as u64).then_some(bytes)
+    }
+
+    fn file(&self) -> Option<File> {
         let flags = OFlag::O_RDONLY | OFlag::O_NOFOLLOW | OFlag::O_NONBLOCK | OFlag::O_CLOEXEC;
         let file = File::from(openat(&self.folder, FILE, flags, Mode::empty()).ok()?);
-        if !file.metadata().ok()?.is_file() {
-            return None;
-        }
-        let mut bytes = Vec::new();
-        file.take(self.bounds.file).read_to_end(&mut bytes).ok()?;
-        Some(bytes)
+        file.metadata().ok()?.is_file().then_some(file)
     }
 
     /// The film, and how many frames were left out as half-written. What the file holds now counts as
@@ -115,7 +149,13 @@ impl Camera {
         // The program may have locked its folder.
         let _ = fchmod(&self.folder, Mode::S_IRWXU);
         let last = self.read();
-        if self.frames.is_empty() {
+        if self.is_from_outside {
+            self.leave_out_torn();
+        }
+        let only = self.frames.first().filter(|_| self.frames.len() == 1 && self.was_left);
+        let was_never_replaced =
+            only.is_none_or(|only| last.as_ref().is_some_and(|last| last.starts_with(only)));
+        if self.frames.is_empty() || only.is_some() && was_never_replaced {
             let film = last.map_or(Film::Nothing, |bytes| {
                 Film::File(if has_ended { bytes } else { up_to_a_line(bytes) })
             });
@@ -134,10 +174,14 @@ impl Camera {
     }
 }
 
-/// Whether `bytes` may be a whole frame, judged by another one: as many lines, the last one ended.
+/// Whether `bytes` may be a whole frame, judged by another one.
 fn is_whole(bytes: &[u8], other: &[u8]) -> bool {
-    let lines = |bytes: &[u8]| bytes.iter().filter(|&&byte| byte == b'\n').count();
-    bytes.ends_with(b"\n") == other.ends_with(b"\n") && lines(bytes) == lines(other)
+    shape(bytes) == shape(other)
+}
+
+/// What whole frames of a program have in common: their number of lines, and whether the last one is ended.
+fn shape(bytes: &[u8]) -> (usize, bool) {
+    (bytes.iter().filter(|&&byte| byte == b'\n').count(), bytes.ends_with(b"\n"))
 }
 
 /// `bytes` without what follows the last end of a line, or the last blank line if there are any.

@@ -83,7 +83,8 @@ impl Clock<'_> {
             return Some(Outcome::OutputTooLarge);
         }
         let has_all_frames = self.appended.as_mut().is_some_and(Appended::is_enough);
-        let none_replaced = self.watched.frames.load(Ordering::Relaxed) == 0;
+        // One: there may have been something before, or only its beginning was seen.
+        let none_replaced = self.watched.frames.load(Ordering::Relaxed) <= 1;
         (has_all_frames && none_replaced).then_some(Outcome::EnoughFrames)
     }
 

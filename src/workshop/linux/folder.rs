@@ -142,7 +142,6 @@ pub(super) fn used(path: &Path) -> u64 {
 
 /// Bytes left on the disc of `path`.
 pub(super) fn left(path: &Path) -> u64 {
-    statvfs(path).map_or(u64::MAX, |disc| {
-        u64::from(disc.blocks_available()).saturating_mul(u64::from(disc.fragment_size()))
-    })
+    statvfs(path)
+        .map_or(u64::MAX, |disc| disc.blocks_available().saturating_mul(disc.fragment_size()))
 }

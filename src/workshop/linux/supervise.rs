@@ -88,28 +88,34 @@ fn follow(job: Job) -> Result<Attempt, Closed> {
         scope.spawn(|| clock.watch());
         // Only now it begins. If it is gone already, waiting will tell.
         let _ = child.stdin.take().map(|mut stdin| stdin.write_all(&order));
+        let (camera, wrapped) = (camera.as_mut(), job.is_wrapped);
         let processes = job.processes + WRAPPERS;
         let ending = if job.is_traced {
-            let programs_before = 1 + usize::from(job.is_wrapped);
-            Tracer::new(&watched, camera.as_mut(), programs_before, processes, &folders)
-                .until_the_end()
+            let programs = 1 + usize::from(wrapped);
+            Tracer::new(&watched, camera, programs, processes, &folders).until_the_end()
         } else {
-            Watcher {
-                watched: &watched,
-                camera: camera.as_mut(),
-                processes,
-                is_wrapped: job.is_wrapped,
-            }
-            .until_the_end(&mut child)
+            let watched = &watched;
+            Watcher { watched, camera, processes, is_wrapped: wrapped }.until_the_end(&mut child)
         };
         watched.lock().is_over = true;
         (ending, log.join().unwrap_or_default())
     });
     let took = watched.lock().began.unwrap_or(start).elapsed();
-    let stop =
-        watched.lock().stop.map(|(reason, _)| reason).filter(|reason| *reason != Outcome::Ended(0));
+    Ok(told(&watched, &ending, log.text(), took, camera))
+}
+
+fn told(
+    watched: &Watched,
+    ending: &Ending,
+    log: String,
+    took: Duration,
+    camera: Option<Camera>,
+) -> Attempt {
+    let stop = watched.lock().stop.map(|(reason, _)| reason);
+    // That it ended is no reason for which it was stopped.
+    let stop = stop.filter(|reason| *reason != Outcome::Ended(0));
     let has_ended = stop.is_none() && matches!(ending.change, Some(Change::Ended(_)));
-    Ok(Attempt { outcome: outcome(&ending, stop), has_ended, log: log.text(), took, camera })
+    Attempt { outcome: outcome(ending, stop), has_ended, log, took, camera }
 }
 
 fn outcome(ending: &Ending, stop: Option<Outcome>) -> Outcome {
