@@ -20,7 +20,7 @@ const TICK: Duration = Duration::from_millis(10);
 /// Between being asked to end and being made to.
 const GRACE: Duration = Duration::from_millis(500);
 /// A submission is stopped before the disc has less left than this, bytes.
-const DISC_LEFT: u64 = 128 << 20;
+pub(super) const DISC_LEFT: u64 = 128 << 20;
 
 /// How much a command may have, and where it writes.
 pub(super) struct Clock<'a> {

@@ -12,7 +12,8 @@ use nix::fcntl::OFlag;
 use nix::unistd::{Pid, pipe2};
 
 use super::camera::Camera;
-use super::clock::{Appended, Clock};
+use super::clock::{Appended, Clock, DISC_LEFT};
+use super::folder::left;
 use super::jail::{Order, READY, WORD};
 use super::log::Log;
 use super::process::Change;
@@ -54,6 +55,11 @@ pub(super) struct Attempt {
 /// Does `job`. The tracer must be the thread that started the command, and waits for all children of its
 /// own, so it is a thread that has no others.
 pub(super) fn attempt(job: Job) -> Result<Attempt, Closed> {
+    // It would be stopped for filling the disc, and it is not its fault.
+    if let Some(full) = job.folders.iter().find(|path| left(path) < 2 * DISC_LEFT) {
+        let what = format!("run anything in {}", full.display());
+        return Err(Closed::Broken { what, error: io::ErrorKind::StorageFull.into() });
+    }
     thread::scope(|scope| {
         let thread = thread::Builder::new().name("tracer".to_owned());
         let tracer = thread.spawn_scoped(scope, || follow(job));
