@@ -13,7 +13,7 @@
 //! Reading order, an hour in all: [`particle`], [`simulation`], [`integrator`], [`force`]. Then
 //! what they rest on ([`placement`], [`neighbours`], [`work`]), what is read off a run
 //! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
-//! the report of a run ([`page`]) and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
+//! the report of a run ([`page`]), what students hand in as it is built and run ([`workshop`]) and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
 //!
 //! SI units and f64 throughout.
 //!
@@ -47,3 +47,4 @@ pub mod placement;
 pub mod scenario;
 pub mod simulation;
 pub mod work;
+pub mod workshop;

@@ -1,0 +1,24 @@
+//! The workshop on Linux.
+
+mod bubble;
+mod call;
+mod camera;
+mod clock;
+mod copy;
+mod filter;
+mod folder;
+mod jail;
+mod landlocked;
+mod log;
+mod made;
+mod open;
+mod process;
+mod stops;
+mod supervise;
+mod trace;
+mod untraced;
+mod warden;
+
+pub use jail::jail_if_asked;
+pub use made::Made;
+pub use open::Workshop;

@@ -1,0 +1,148 @@
+//! A submission that was copied and built, and is run.
+
+use std::fs::{self, Permissions};
+use std::os::unix::fs::PermissionsExt;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use super::camera::{Bounds as FilmBounds, Camera};
+use super::clock::Appended;
+use super::copy::{LeftOut, copy};
+use super::folder::{Folder, remove};
+use super::open::Workshop;
+use super::stops::FILE;
+use super::supervise::{Attempt, Job, attempt};
+use crate::workshop::{Closed, Errand, Film, Limits, Run, Step, Submission};
+
+/// A submission in its private folder, which goes when this goes.
+#[derive(Debug)]
+pub struct Made<'a> {
+    workshop: &'a Workshop,
+    folder: Folder,
+    owner: Option<u32>,
+    /// Files that were to be handed in and were not, relative to the folder.
+    pub missing: Vec<PathBuf>,
+    /// What was handed in and not copied, with the reason: links, pipes, and what is too large.
+    pub left_out: Vec<(PathBuf, &'static str)>,
+    /// How the build went; `None`: there was nothing to build.
+    pub build: Option<Step>,
+}
+
+impl Workshop {
+    /// Copies `submission` and builds it.
+    ///
+    /// # Errors
+    ///
+    /// If the machine fails; what a submission does wrong is in what is returned.
+    pub fn make(&self, submission: &Submission, limits: &Limits) -> Result<Made<'_>, Closed> {
+        let owner = self.new_owner()?;
+        let folder = Folder::new(owner).map_err(Closed::broken("make a private folder"))?;
+        let what = format!("copy {}", submission.folder.display());
+        let left_out: Vec<LeftOut> = copy(&submission.folder, &folder.work(), owner, limits.copy)
+            .map_err(Closed::broken(what))?;
+        let is_there = |file: &PathBuf| {
+            fs::symlink_metadata(folder.work().join(file)).is_ok_and(|found| found.is_file())
+        };
+        let missing = submission.files.iter().filter(|file| !is_there(file)).cloned().collect();
+        let mut made = Made { workshop: self, folder, owner, missing, left_out, build: None };
+        if !submission.build.is_empty() {
+            let work = Work {
+                command: &submission.build,
+                stdin: &[],
+                wall: limits.build_wall,
+                files: limits.build_files,
+            };
+            let Attempt { outcome, log, took, .. } = made.attempt(&work, limits, None, None)?;
+            made.build = Some(Step { outcome, log, took });
+        }
+        Ok(made)
+    }
+}
+
+/// A command of either kind.
+struct Work<'a> {
+    command: &'a [String],
+    stdin: &'a [u8],
+    wall: Duration,
+    files: u64,
+}
+
+impl Made<'_> {
+    /// Where it is; only for looking.
+    pub fn folder(&self) -> PathBuf {
+        self.folder.work()
+    }
+
+    /// Runs `errand`, and keeps every frame of `out.txt`. An `out.txt` that is there before is removed.
+    ///
+    /// # Errors
+    ///
+    /// If the machine fails; what a submission does wrong is in what is returned.
+    pub fn run(&self, errand: &Errand, limits: &Limits) -> Result<Run, Closed> {
+        let place = self.folder.work();
+        // The build, or a run before, may have locked it.
+        fs::set_permissions(&place, Permissions::from_mode(0o700))
+            .map_err(Closed::broken("unlock a folder"))?;
+        remove(&place.join(FILE)).map_err(Closed::broken("remove an out.txt of before"))?;
+        let frames = errand.frames.unwrap_or(usize::MAX);
+        let bounds = FilmBounds { frames, bytes: limits.film, file: limits.run_files };
+        let camera = Camera::on(&place, bounds).map_err(Closed::broken("watch a folder"))?;
+        let appended = errand.frames.map(|frames| Appended::new(&place, frames, errand.rows));
+        let work = Work {
+            command: &errand.command,
+            stdin: &errand.stdin,
+            wall: limits.run_wall,
+            files: limits.run_files,
+        };
+        let attempt = self.attempt(&work, limits, Some(camera), appended)?;
+        let (film, torn) = match attempt.camera {
+            Some(camera) => camera.film(attempt.has_ended),
+            None => (Film::Nothing, 0),
+        };
+        let every_frame = self.workshop.is_traced() || !matches!(film, Film::Snapshots(_));
+        Ok(Run {
+            outcome: attempt.outcome,
+            log: attempt.log,
+            took: attempt.took,
+            film,
+            torn,
+            every_frame,
+        })
+    }
+
+    fn attempt(
+        &self,
+        work: &Work,
+        limits: &Limits,
+        camera: Option<Camera>,
+        appended: Option<Appended>,
+    ) -> Result<Attempt, Closed> {
+        let stdin = self
+            .folder
+            .file("stdin", work.stdin)
+            .map_err(Closed::broken("write to a private folder"))?;
+        let order = self.workshop.order(
+            &self.folder,
+            self.owner,
+            stdin,
+            work.command,
+            limits,
+            work.files,
+            camera.is_some(),
+        );
+        attempt(Job {
+            helper: self.workshop.helper(),
+            order,
+            is_traced: self.workshop.is_traced(),
+            is_wrapped: self.workshop.is_wrapped(),
+            wall: work.wall,
+            memory: limits.memory,
+            files: work.files,
+            folders: vec![self.folder.work(), self.folder.scratch()],
+            processes: limits.processes,
+            log: limits.log,
+            camera,
+            appended,
+        })
+    }
+}
