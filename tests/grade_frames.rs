@@ -304,7 +304,7 @@ fn parsim2d_itself_loses_nothing() {
         "-n 20 --radius 1e-4",
         "-n 20 --radius 5e-4 --speed 0.5",
         "-n 300 --radius 1e-4",
-        "-n 300 --radius 1e-4 --speed 0.5 --every 40",
+        "-n 300 --radius 1e-4 --speed 0.5 --every 40 --time 50ms",
         "-n 20 --radius 5e-4 --every 1 --time 20ms",
         "-n 20 --radius 5e-4 --every 7 --time 50ms --speed 0.3",
         "-n 60 --radius 5e-4 --every 100 --speed 0.5",
