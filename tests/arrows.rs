@@ -34,7 +34,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
     ("page", &["analysis", "output", "figure", "scenario"]),
-    ("grade", &["analysis"]),
+    ("grade", &["analysis", "figure"]),
     ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade"]),
     ("main", &[]),
     ("lib", &[]),

@@ -9,8 +9,9 @@ use clap::Args;
 use serde_json::json;
 
 use super::Failure;
+use crate::grade::add_film;
 use crate::grade::check::Check;
-use crate::grade::grade;
+use crate::grade::frames::Footage;
 use crate::grade::rubric::{COMMENTED, Rubric};
 use crate::grade::verdict::{self, Report, Status};
 use crate::grade::words::ENGLISH;
@@ -38,6 +39,9 @@ pub(super) struct GradeArguments {
     /// One JSON object for each file, in a list
     #[arg(long, requires = "frames")]
     json: bool,
+    /// With a small picture of each failure, as SVG in the JSON
+    #[arg(long, requires = "json")]
+    pictures: bool,
     /// Exit with 1 if a file has less
     #[arg(long, value_name = "PERCENT", requires = "frames", value_parser = percent)]
     fail_under: Option<f64>,
@@ -96,13 +100,15 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     for path in &arguments.frames {
         let bytes =
             fs::read(path).map_err(|source| GradeError::Frames { path: path.clone(), source })?;
-        graded.push((path, grade(&bytes, &rubric)));
+        let mut report = Report::of_frames(&rubric);
+        let film = add_film(&mut report, Footage::File(&bytes), &rubric);
+        graded.push((path, report, film.filter(|_| arguments.pictures)));
     }
     if arguments.json {
         let all: Vec<_> = graded
             .iter()
-            .map(|(path, report)| {
-                let mut value = report.json(&ENGLISH);
+            .map(|(path, report, film)| {
+                let mut value = report.json_with_pictures(&ENGLISH, film.as_ref());
                 value["file"] = json!(path.display().to_string());
                 value
             })
@@ -110,11 +116,11 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
         serde_json::to_writer_pretty(&mut out, &all).map_err(io::Error::from)?;
         writeln!(out)?;
     } else {
-        for (path, report) in &graded {
+        for (path, report, _) in &graded {
             write_text(&mut out, path, report)?;
         }
     }
-    let is_below = |limit: f64| graded.iter().any(|(_, report)| report.percent() < limit);
+    let is_below = |limit: f64| graded.iter().any(|(_, report, _)| report.percent() < limit);
     Ok(ExitCode::from(u8::from(arguments.fail_under.is_some_and(is_below))))
 }
 
@@ -149,13 +155,16 @@ fn write_text(out: &mut impl Write, path: &Path, report: &Report) -> io::Result<
             Status::Passed => {}
             Status::NotSeen => writeln!(out, "    {}", ENGLISH.not_seen)?,
             Status::Skipped(root) => writeln!(out, "    {} {}", ENGLISH.skipped, root.id())?,
-            Status::Failed(failure) => write_failure(out, failure)?,
+            Status::Failed(failure) => write_failure(out, failure, report)?,
         }
     }
     for (name, count) in ENGLISH.left_out.into_iter().zip([report.torn, report.uneven]) {
         if count > 0 {
             writeln!(out, "{name} {count}")?;
         }
+    }
+    for note in &report.notes {
+        writeln!(out, "{}", (ENGLISH.note)(*note))?;
     }
     let (earned, lost, open) = (report.earned(), report.lost(), report.open());
     let [of, points, not_judged] = ENGLISH.points;
@@ -166,7 +175,11 @@ fn write_text(out: &mut impl Write, path: &Path, report: &Report) -> io::Result<
     writeln!(out)
 }
 
-fn write_failure(out: &mut impl Write, failure: &verdict::Failure) -> io::Result<()> {
+fn write_failure(
+    out: &mut impl Write,
+    failure: &verdict::Failure,
+    report: &Report,
+) -> io::Result<()> {
     let found = (ENGLISH.finding)(failure.finding);
     write!(out, "    {}", found.what)?;
     if let Some(frame) = failure.frame {
@@ -181,9 +194,9 @@ fn write_failure(out: &mut impl Write, failure: &verdict::Failure) -> io::Result
     }
     writeln!(out, "    {}: {}", ENGLISH.expected, found.expected)?;
     if let Some(mistake) = failure.cause {
-        let said = (ENGLISH.mistake)(mistake);
-        writeln!(out, "    {}: {} [{}]", ENGLISH.looks_like, said.looks_like, mistake.id())?;
-        writeln!(out, "    {}: {}", ENGLISH.hint, said.hint)?;
+        let looks_like = (ENGLISH.mistake)(mistake).looks_like;
+        writeln!(out, "    {}: {looks_like} [{}]", ENGLISH.looks_like, mistake.id())?;
+        writeln!(out, "    {}: {}", ENGLISH.hint, report.hint(mistake, &ENGLISH))?;
     }
     Ok(())
 }

@@ -3,8 +3,7 @@
 use glam::DVec2;
 
 use super::film::Film;
-use super::flight::{Flights, Run, median};
-use super::mistake::Mistake;
+use super::flight::{Flights, Run};
 use super::near::WALLS;
 use super::rubric::Rubric;
 use super::verdict::{Failure, Status, Verdict};
@@ -13,6 +12,8 @@ use super::words::{Finding, Quantity};
 /// A bounce; speeds in m a frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounce {
+    /// Wall, one of the bits of [`WALLS`].
+    pub wall: u8,
     /// Disc.
     pub disc: usize,
     /// Frame after it.
@@ -77,6 +78,7 @@ fn bounce(
     let frames = (second.begin - first.end) as f64;
     let slip = (after - before - flights.pull * frames).dot(along);
     Some(Bounce {
+        wall: walls,
         disc: i,
         frame: second.begin,
         before: squares[0].sqrt(),
@@ -102,47 +104,4 @@ pub fn verdict(bounces: &[Bounce]) -> Verdict {
         }
         _ => Status::Passed,
     }
-}
-
-/// The median restitution of bounces, if any were seen.
-pub fn usual(bounces: &[Bounce]) -> Option<f64> {
-    (bounces.len() >= 2).then(|| median(bounces.iter().map(|one| one.after / one.before)))
-}
-
-/// Speed after over speed before, beside the rubric's.
-pub fn restitution(bounces: &[Bounce], rubric: &Rubric) -> Verdict {
-    judge(usual(bounces), true, bounces.first().map(|one| (one.frame, vec![one.disc])), rubric)
-}
-
-/// Judges a median restitution seen at a frame and discs.
-pub fn judge(
-    seen: Option<f64>,
-    is_wall: bool,
-    place: Option<(usize, Vec<usize>)>,
-    rubric: &Rubric,
-) -> Verdict {
-    let (Some(e), Some((frame, discs))) = (seen, place) else { return Status::NotSeen };
-    let (low, high) = rubric.expected_restitution(is_wall);
-    if e > 1.0 + rubric.restitution_tolerance {
-        return Status::NotSeen; // a contact that makes energy: `energy` says so
-    }
-    if (low - rubric.restitution_tolerance..=high + rubric.restitution_tolerance).contains(&e) {
-        return Status::Passed;
-    }
-    let gain = (e / high).ln();
-    let cause = if gain > 0.0 && is_explicit(gain, is_wall) {
-        Mistake::ExplicitEuler
-    } else {
-        Mistake::RestitutionWrong
-    };
-    let failure = Failure::of(Finding::WrongRestitution, cause).at(frame, &discs);
-    let failure = failure.with(Quantity::Restitution, e);
-    Status::Failed(failure.with(Quantity::ExpectedRestitution, high))
-}
-
-/// Explicit Euler multiplies the swing of a contact by exp(pi² / (2 N_t)) at a wall, and the square
-/// root of 2 times that much in the exponent for a pair, N_t of 10 to 50 in Eq. (2).
-pub fn is_explicit(gain: f64, is_wall: bool) -> bool {
-    let scale = if is_wall { 1.0 } else { std::f64::consts::SQRT_2 };
-    (0.07..0.6).contains(&(gain / scale))
 }

@@ -6,6 +6,12 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Check {
+    /// All files were handed in.
+    Files,
+    /// The program can be built.
+    Builds,
+    /// It runs, and ends or goes on by itself.
+    Runs,
     /// The file holds frames.
     Frames,
     /// The same discs in every frame, with finite numbers.
@@ -28,11 +34,20 @@ pub enum Check {
     RestitutionPair,
     /// The energy of all never grows, and stays if nothing takes it.
     Energy,
+    /// A box of a thousand discs.
+    Many,
+    /// The compiler has nothing to warn of.
+    Warnings,
+    /// Memory and arithmetic are as the language asks.
+    Sanitizer,
 }
 
 impl Check {
     /// All, in the order in which they are asked.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 17] = [
+        Self::Files,
+        Self::Builds,
+        Self::Runs,
         Self::Frames,
         Self::Discs,
         Self::Radii,
@@ -44,11 +59,23 @@ impl Check {
         Self::RestitutionWall,
         Self::RestitutionPair,
         Self::Energy,
+        Self::Many,
+        Self::Warnings,
+        Self::Sanitizer,
     ];
+
+    /// Whether frames alone decide it; the others need a submission that can be built and run.
+    pub fn is_of_frames(self) -> bool {
+        use Check as C;
+        !matches!(self, C::Files | C::Builds | C::Runs | C::Many | C::Warnings | C::Sanitizer)
+    }
 
     /// Its name in files and on the command line.
     pub fn id(self) -> &'static str {
         match self {
+            Self::Files => "files",
+            Self::Builds => "builds",
+            Self::Runs => "runs",
             Self::Frames => "frames",
             Self::Discs => "discs",
             Self::Radii => "radii",
@@ -60,6 +87,9 @@ impl Check {
             Self::RestitutionWall => "restitution_wall",
             Self::RestitutionPair => "restitution_pair",
             Self::Energy => "energy",
+            Self::Many => "many",
+            Self::Warnings => "warnings",
+            Self::Sanitizer => "sanitizer",
         }
     }
 
@@ -71,12 +101,16 @@ impl Check {
     /// The check that must be passed, or not seen, before this one is asked.
     pub fn needs(self) -> Option<Self> {
         match self {
-            Self::Frames => None,
+            Self::Files => None,
+            Self::Builds => Some(Self::Files),
+            Self::Runs | Self::Warnings => Some(Self::Builds),
+            Self::Frames | Self::Sanitizer => Some(Self::Runs),
             Self::Discs => Some(Self::Frames),
             Self::Radii | Self::Box | Self::Start | Self::FreeFlight => Some(Self::Discs),
             Self::WallBounce | Self::PairCollision | Self::Energy => Some(Self::FreeFlight),
             Self::RestitutionWall => Some(Self::WallBounce),
             Self::RestitutionPair => Some(Self::PairCollision),
+            Self::Many => Some(Self::Energy),
         }
     }
 

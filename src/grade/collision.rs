@@ -7,11 +7,10 @@
 
 use glam::DVec2;
 
-use super::bounce::judge;
 use super::film::Film;
-use super::flight::{Flights, Run, median};
+use super::flight::{Flights, Run};
 use super::mistake::Mistake;
-use super::rubric::Rubric;
+use super::stiffness::Stiffness;
 use super::verdict::{Failure, Status, Verdict};
 use super::words::{Finding, Quantity};
 
@@ -30,6 +29,10 @@ pub struct Collision {
     pub twist: f64,
     /// Relative speed along the centres after over before, at the touching distance.
     pub restitution: f64,
+    /// Relative speed before, m a frame.
+    pub speed: f64,
+    /// Distance at which they touch, m.
+    pub touch: f64,
     /// What printing makes of a velocity at most, over the relative speed before.
     pub blur: f64,
 }
@@ -39,7 +42,8 @@ impl Collision {
         (self.kicks[0] + self.kicks[1]).length()
     }
 
-    fn is_push(&self) -> bool {
+    /// Whether they pushed each other at all.
+    pub fn is_push(&self) -> bool {
         (self.kicks[0] - self.kicks[1]).length() > 0.03 + 4.0 * self.blur
     }
 }
@@ -104,7 +108,7 @@ fn meeting(
     let restitution = (along_after / (speed * speed - across)).sqrt();
     let twist = twist / (touch * speed);
     let (frame, blur) = (end, blur / speed);
-    Some(Collision { discs, frame, aim, kicks, twist, restitution, blur })
+    Some(Collision { discs, frame, aim, kicks, twist, restitution, speed, touch, blur })
 }
 
 /// What printing may make of a twist: a velocity is off, and acts at the distance of the frames.
@@ -112,8 +116,23 @@ fn most_twist(one: &Collision) -> f64 {
     0.2 + 40.0 * one.blur
 }
 
-/// Two discs push each other equally, oppositely, and along the line of their centres.
-pub fn verdict(collisions: &[Collision]) -> Verdict {
+/// Two discs push each other equally, oppositely, along the line of their centres, and as hard as asked.
+pub fn verdict(collisions: &[Collision], [wall, pair]: &[Option<Stiffness>; 2]) -> Verdict {
+    let is_wall_right = wall.as_ref().is_none_or(|wall| !wall.is_soft() && !wall.is_double());
+    match pair {
+        Some(pair) if pair.is_soft() => {
+            let cause = if pair.goes_with_distance && is_wall_right {
+                Mistake::NormalNotNormalised
+            } else {
+                Mistake::ForceOverWrongMass
+            };
+            return Status::Failed(pair.failure(cause));
+        }
+        Some(pair) if pair.is_double() && is_wall_right => {
+            return Status::Failed(pair.failure(Mistake::ForceAppliedTwice));
+        }
+        _ => {}
+    }
     if collisions.len() < 2 {
         return Status::NotSeen;
     }
@@ -159,20 +178,4 @@ fn crooked(pushes: &[&Collision]) -> Option<Failure> {
     let worst = often(pushes, |one| one.twist > most_twist(one))?;
     let failure = Failure::of(Finding::PushCrooked, None).at(worst.frame, &worst.discs);
     Some(failure.with(Quantity::Twist, worst.twist))
-}
-
-/// The median restitution of meetings that are not too oblique, if any were seen.
-pub fn usual(collisions: &[Collision]) -> Option<f64> {
-    let straight: Vec<f64> = collisions
-        .iter()
-        .filter(|one| one.aim < 0.6 && one.is_push())
-        .map(|one| one.restitution)
-        .collect();
-    (straight.len() >= 2).then(|| median(straight.into_iter()))
-}
-
-/// Relative speed after over before, beside the rubric's.
-pub fn restitution(collisions: &[Collision], rubric: &Rubric) -> Verdict {
-    let place = collisions.first().map(|one| (one.frame, one.discs.to_vec()));
-    judge(usual(collisions), false, place, rubric)
 }

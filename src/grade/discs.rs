@@ -6,12 +6,14 @@ use super::film::Film;
 use super::flight::Flights;
 use super::mistake::Mistake;
 use super::near::WALLS;
-use super::rubric::Rubric;
+use super::rubric::{Law, Rubric};
+use super::stiffness::Stiffness;
 use super::verdict::{Failure, Status, Verdict};
 use super::words::{Finding, Quantity};
 
 /// The same discs in every frame, in the same order, with finite numbers.
-pub fn kept(film: &Film) -> Verdict {
+/// `asked` holds the numbers of discs that are right; any, if it is empty.
+pub fn kept(film: &Film, asked: &[usize]) -> Verdict {
     for (k, frame) in film.frames.iter().enumerate() {
         let is_bad = |i: &usize| !(frame[*i].position.is_finite() && frame[*i].radius.is_finite());
         if let Some(i) = (0..frame.len()).find(is_bad) {
@@ -23,6 +25,13 @@ pub fn kept(film: &Film) -> Verdict {
             let failure = failure.with(Quantity::Count, frame.len() as f64);
             return Status::Failed(failure.with(Quantity::CountAtStart, film.n() as f64));
         }
+    }
+    let nearest = asked.iter().copied().min_by_key(|n| n.abs_diff(film.n()));
+    if let Some(n) = nearest.filter(|&n| n != film.n()) {
+        let cause = (film.n() < n).then_some(Mistake::DiscLost);
+        let failure = Failure::of(Finding::CountNotAsked, cause).at(0, &[]);
+        let failure = failure.with(Quantity::Count, film.n() as f64);
+        return Status::Failed(failure.with(Quantity::CountAsked, n as f64));
     }
     // One exchange may be a freak of two discs that meet.
     match exchanges(film).as_slice() {
@@ -89,7 +98,15 @@ fn beyond(position: DVec2, radius: f64, normal: DVec2, rubric: &Rubric) -> f64 {
 }
 
 /// Nobody goes further into a wall than its speed allows.
-pub fn inside(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
+///
+/// `soft`: what is known of walls that are far too soft. `slack`: how many times that depth is right.
+pub fn inside(
+    film: &Film,
+    flights: &Flights,
+    slack: f64,
+    soft: Option<&Stiffness>,
+    rubric: &Rubric,
+) -> Verdict {
     let mut deepest = (0.0, 0, 0, DVec2::ZERO);
     for i in 0..film.n() {
         let radius = film.radius(i);
@@ -97,7 +114,7 @@ pub fn inside(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
         if WALLS.iter().any(|(normal, _)| begins(normal)) {
             continue; // it began outside: that is another check's
         }
-        let limit = sink(film, flights, i, rubric);
+        let limit = slack * sink(film, flights, i, rubric);
         for k in 0..film.frames.len() {
             for (normal, _) in WALLS {
                 let depth = beyond(film.at(k, i), radius, normal, rubric) - film.usual_blur();
@@ -111,9 +128,13 @@ pub fn inside(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
     if over == 0.0 {
         return Status::Passed;
     }
-    let (radius, limit) = (film.radius(i), sink(film, flights, i, rubric));
+    let (radius, limit) = (film.radius(i), slack * sink(film, flights, i, rubric));
     let depth = over * limit;
-    let cause = outside_cause(film, (i, normal), depth, (limit, flights.pull.length()), rubric);
+    let pull = flights.pull.length();
+    let cause = match soft {
+        Some(_) => Some(Mistake::ForceOverWrongMass),
+        None => outside_cause(film, (i, normal), depth, (limit, pull), rubric),
+    };
     let failure = Failure::of(Finding::LeavesTheBox, cause).at(k, &[i]);
     let failure = failure.with(Quantity::DepthOverRadius, depth / radius);
     Status::Failed(failure.with(Quantity::LargestDepthOverRadius, limit / radius))
@@ -121,7 +142,11 @@ pub fn inside(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
 
 /// How deep a right program's disc may sink into a wall, m: v/omega0 and the weight, with a third to
 /// spare; by the literal distance to the wall a centre beyond it is pushed less, up to twice as deep.
+/// Hard discs may go a step too far before they are turned: a tenth of a radius.
 fn sink(film: &Film, flights: &Flights, i: usize, rubric: &Rubric) -> f64 {
+    if rubric.law == Law::Hard {
+        return 0.1 * film.radius(i);
+    }
     let fall = (2.0 * rubric.gravity * rubric.side).sqrt();
     let observed = flights.interval(rubric).map_or(0.0, |interval| {
         // Within the box only: what is outside is what is being asked about.

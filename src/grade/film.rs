@@ -27,8 +27,10 @@ pub struct Film {
     pub torn: usize,
     /// Whether the printed radii were diameters, and have been halved.
     pub halved: bool,
-    /// Side of the box, m, for the floor below printed digits.
+    /// Side of the box, m.
     pub side: f64,
+    /// Lower left corner of the box, m.
+    pub corner: DVec2,
 }
 
 impl Film {

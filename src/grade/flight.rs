@@ -231,7 +231,9 @@ pub fn verdict(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
     let Some(cause) = cause else { return Status::Passed };
     let shown = samples[samples.len() / 2];
     let failure = Failure::of(Finding::WrongPull, cause).at(shown.middle, &[shown.disc]);
-    let failure = failure.with(Quantity::PullX, pull.x).with(Quantity::PullY, pull.y);
+    // Nothing that digits cannot show.
+    let [x, y] = [pull.x, pull.y].map(|one| if one.abs() > blur { one } else { 0.0 });
+    let failure = failure.with(Quantity::PullX, x).with(Quantity::PullY, y);
     Status::Failed(failure.with(Quantity::Blur, blur))
 }
 

@@ -20,22 +20,53 @@ use super::words::{Finding, Quantity};
 struct Block {
     rows: Vec<Spot>,
     bad_rows: usize,
+    /// Lines without a number before the first row.
+    names: usize,
 }
 
-/// The film in `bytes`, or why there is none.
-pub fn read(bytes: &[u8], rubric: &Rubric) -> Result<Film, Failure> {
-    let text = String::from_utf8_lossy(bytes);
-    if text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}').is_empty() {
+/// What a program left, as it was caught.
+#[derive(Clone, Copy, Debug)]
+pub enum Footage<'a> {
+    /// One file, frame after frame.
+    File(&'a [u8]),
+    /// Each whole frame of a program that writes over its file, in order.
+    Snapshots(&'a [Vec<u8>]),
+    /// There is no file of that name.
+    Nothing,
+}
+
+impl Footage<'_> {
+    /// Whether there is nothing in it but blanks.
+    fn is_blank(&self) -> bool {
+        let is_blank = |bytes: &[u8]| bytes.iter().all(u8::is_ascii_whitespace);
+        match self {
+            Self::File(bytes) => is_blank(bytes),
+            Self::Snapshots(all) => all.iter().all(|bytes| is_blank(bytes)),
+            Self::Nothing => true,
+        }
+    }
+}
+
+/// The film in what a program left, or why there is none.
+pub fn read(footage: Footage, rubric: &Rubric) -> Result<Film, Failure> {
+    let mut tally = Tally::default();
+    let blocks = match footage {
+        Footage::Nothing => return Err(Failure::of(Finding::NothingWritten, Mistake::NoFrames)),
+        Footage::File(bytes) => split(file(bytes, &mut tally), rubric),
+        // A program that writes its whole history each time: the last one has it all.
+        Footage::Snapshots([rest @ .., last]) if grows(rest, last) => {
+            split(file(last, &mut tally), rubric)
+        }
+        Footage::Snapshots(all) => snapshots(all, &mut tally),
+    };
+    if blocks.is_empty() && footage.is_blank() {
         return Err(Failure::of(Finding::NothingWritten, Mistake::EmptyFile));
     }
-    let (blocks, tally) = blocks(&text);
-    let rows: usize = blocks.iter().map(|block| block.rows.len()).sum();
-    let bad: usize = blocks.iter().map(|block| block.bad_rows).sum();
-    if rows == 0 {
+    if blocks.iter().all(|block| block.rows.is_empty()) {
+        let bad: usize = blocks.iter().map(|block| block.bad_rows + block.names).sum();
         let cause = if bad > 0 { Mistake::WrongColumns } else { Mistake::NoFrames };
         return Err(Failure::of(Finding::NoRows, cause).with(Quantity::BadLines, bad as f64));
     }
-    let blocks = split(blocks, rubric);
     let all = blocks.len();
     let (frames, follows) = whole(blocks);
     let torn = all - frames.len();
@@ -44,38 +75,77 @@ pub fn read(bytes: &[u8], rubric: &Rubric) -> Result<Film, Failure> {
         return Err(failure.with(Quantity::TornFrames, torn as f64));
     }
     let digits = tally.digits();
-    let mut film = Film { frames, follows, digits, torn, halved: false, side: rubric.side };
+    let (side, corner) = (rubric.side, DVec2::from(rubric.corner));
+    let mut film = Film { frames, follows, digits, torn, halved: false, side, corner };
     drop_border(&mut film, rubric);
     Ok(film)
 }
 
+/// Whether each snapshot is the one before it, and more.
+fn grows(rest: &[Vec<u8>], last: &[u8]) -> bool {
+    let begins = |pair: &[Vec<u8>]| pair[1].len() > pair[0].len() && pair[1].starts_with(&pair[0]);
+    rest.windows(2).all(begins)
+        && rest.last().is_some_and(|before| last.len() > before.len() && last.starts_with(before))
+}
+
+/// The frames of a file. If its last line has no end, it was cut there.
+fn file(bytes: &[u8], tally: &mut Tally) -> Vec<Block> {
+    let mut blocks = blocks(bytes, tally);
+    if blocks.len() > 2 && !bytes.ends_with(b"\n") {
+        blocks.last_mut().into_iter().for_each(|block| block.bad_rows += 1);
+    }
+    blocks
+}
+
+/// Each snapshot is one frame. One without an end where the others have one was caught too early.
+fn snapshots(all: &[Vec<u8>], tally: &mut Tally) -> Vec<Block> {
+    let all = all.iter().filter(|bytes| !bytes.is_empty());
+    let ends = all.clone().filter(|bytes| bytes.ends_with(b"\n")).count();
+    let is_usual = 2 * ends > all.clone().count();
+    all.filter_map(|bytes| {
+        let mut whole = Block {
+            bad_rows: usize::from(is_usual && !bytes.ends_with(b"\n")),
+            ..Block::default()
+        };
+        for part in blocks(bytes, tally) {
+            whole.rows.extend(part.rows);
+            whole.bad_rows += part.bad_rows;
+            whole.names += part.names;
+        }
+        (whole.rows.len() + whole.bad_rows + whole.names > 0).then_some(whole)
+    })
+    .collect()
+}
+
 /// The blocks between blank lines and remarks.
-fn blocks(text: &str) -> (Vec<Block>, Tally) {
-    let (mut blocks, mut block, mut tally) = (Vec::new(), Block::default(), Tally::default());
-    let text = text.trim_start_matches('\u{feff}');
-    for line in text.lines().map(str::trim) {
+fn blocks(bytes: &[u8], tally: &mut Tally) -> Vec<Block> {
+    let text = String::from_utf8_lossy(bytes);
+    let (mut blocks, mut block) = (Vec::new(), Block::default());
+    let mut finish = |block: &mut Block| {
+        if block.rows.len() + block.bad_rows + block.names > 0 {
+            blocks.push(std::mem::take(block));
+        }
+    };
+    for line in text.trim_start_matches('\u{feff}').lines().map(str::trim) {
         if line.is_empty() || line.starts_with('#') {
-            if !block.rows.is_empty() || block.bad_rows > 0 {
-                blocks.push(std::mem::take(&mut block));
-            }
+            finish(&mut block);
             continue;
         }
+        // As gnuplot reads: blanks part columns; a comma after a number does no harm.
         let words: Vec<&str> =
-            line.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty()).collect();
+            line.split_whitespace().map(|word| word.trim_end_matches([',', ';'])).collect();
         match row(&words) {
             Some(spot) => {
                 words[..2].iter().for_each(|word| tally.note(word));
                 block.rows.push(spot);
             }
             // A line of names at the head of a frame is no row.
-            None if block.rows.is_empty() && is_names(&words) => {}
+            None if block.rows.is_empty() && is_names(&words) => block.names += 1,
             None => block.bad_rows += 1,
         }
     }
-    if !block.rows.is_empty() || block.bad_rows > 0 {
-        blocks.push(block);
-    }
-    (blocks, tally)
+    finish(&mut block);
+    blocks
 }
 
 fn is_names(words: &[&str]) -> bool {
@@ -99,32 +169,29 @@ fn row(words: &[&str]) -> Option<Spot> {
 /// One long block is many frames of n rows, if the rubric knows n.
 fn split(blocks: Vec<Block>, rubric: &Rubric) -> Vec<Block> {
     let [one] = blocks.as_slice() else { return blocks };
-    let rows = one.rows.len();
+    let rows = if one.bad_rows > 0 { 0 } else { one.rows.len() };
     let fits = |n: &&usize| **n > 0 && rows > **n && rows % **n == 0;
     let Some(&n) = rubric.n.iter().find(fits) else { return blocks };
-    one.rows.chunks(n).map(|rows| Block { rows: rows.to_vec(), bad_rows: 0 }).collect()
+    one.rows.chunks(n).map(|rows| Block { rows: rows.to_vec(), ..Block::default() }).collect()
 }
 
-/// The whole frames, and for each whether it follows the one before directly. A frame with a bad
-/// row, or a shorter one between longer ones or at the very end, was cut while it was written.
+/// The whole frames, and for each whether it follows the one before directly.
+///
+/// A frame with a bad row, or whose last number is shorter than that of the row above, was cut while it
+/// was written; so was a shorter one at the very end. A shorter one between longer ones may have been
+/// cut at the end of a line by chance, or be wrong: one in fifty is taken for chance, for there are some
+/// fifty places where it could have been cut between two ends of lines.
 fn whole(blocks: Vec<Block>) -> (Vec<Vec<Spot>>, Vec<bool>) {
-    let longest_after: Vec<usize> = blocks
-        .iter()
-        .rev()
-        .scan(0, |longest, block| {
-            let after = *longest;
-            *longest = after.max(block.rows.len());
-            Some(after)
-        })
-        .collect();
-    let last = blocks.len() - 1;
+    let dips = dips(&blocks);
+    let is_doubtful = |(block, is_dip): &(&Block, &bool)| **is_dip && !has_cut_end(&block.rows);
+    let doubtful = blocks.iter().zip(&dips).filter(is_doubtful).count();
+    let is_chance = 50 * doubtful <= blocks.len().max(100);
     let (mut frames, mut follows) = (Vec::<Vec<Spot>>::new(), Vec::new());
     let mut is_next = true;
+    let last = blocks.len() - 1;
     for (k, block) in blocks.into_iter().enumerate() {
-        let n = block.rows.len();
-        let before = frames.last().map_or(0, Vec::len);
-        let is_dip = n < before && (longest_after[last - k] >= before || k == last);
-        if block.bad_rows > 0 || is_dip {
+        let is_short = dips[k] && (is_chance || k == last || has_cut_end(&block.rows));
+        if block.bad_rows > 0 || block.rows.is_empty() || is_short {
             is_next = false;
             continue;
         }
@@ -132,6 +199,30 @@ fn whole(blocks: Vec<Block>) -> (Vec<Vec<Spot>>, Vec<bool>) {
         follows.push(std::mem::replace(&mut is_next, true));
     }
     (frames, follows)
+}
+
+/// The blocks of good rows that are shorter than one before and one after, or than one before at the end.
+fn dips(blocks: &[Block]) -> Vec<bool> {
+    let length = |block: &Block| if block.bad_rows > 0 { 0 } else { block.rows.len() };
+    let longest = |longest: &mut usize, block: &Block| {
+        let before = *longest;
+        *longest = before.max(length(block));
+        Some(before)
+    };
+    let before: Vec<usize> = blocks.iter().scan(0, longest).collect();
+    let mut after: Vec<usize> = blocks.iter().rev().scan(0, longest).collect();
+    after.reverse();
+    let last = blocks.len() - 1;
+    let is_dip = |(k, block): (usize, &Block)| {
+        let n = length(block);
+        block.bad_rows == 0 && n < before[k] && (n < after[k] || k == last)
+    };
+    blocks.iter().enumerate().map(is_dip).collect()
+}
+
+/// Whether the radius in the last row has lost digits: all discs of the course have one radius.
+fn has_cut_end(rows: &[Spot]) -> bool {
+    matches!(rows, [.., above, last] if last.radius != above.radius)
 }
 
 /// Rows that never move, with centres on the edge of the box or outside, are the guide's border.

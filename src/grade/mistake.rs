@@ -1,11 +1,25 @@
 //! Which mistake a failure looks like.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A mistake that students make; its name in files is stable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mistake {
+    /// The Makefile was not handed in.
+    NoMakefile,
+    /// The compiler, the linker or make gives up.
+    DoesNotBuild,
+    /// A signal or an exit code other than 0.
+    Crashes,
+    /// It ends well and wrote nothing.
+    EndsWithoutFrames,
+    /// Not ready when the time was over.
+    TooSlow,
+    /// It wrote more than there is room for.
+    OutputTooLarge,
+    /// It asked for more memory or processes than allowed.
+    StoppedByLimits,
     /// Nothing was written.
     EmptyFile,
     /// Lines, but no frame.
@@ -42,6 +56,12 @@ pub enum Mistake {
     FrictionInFlight,
     /// Frames are not equally far apart in time.
     TimeStepNotConstant,
+    /// A contact force over another mass than the disc's, or over none.
+    ForceOverWrongMass,
+    /// The push of a pair hangs on the distance of the centres twice.
+    NormalNotNormalised,
+    /// Each pair pushes twice.
+    ForceAppliedTwice,
     /// One disc is pushed, its partner is not.
     ForceOnOneDiscOnly,
     /// Discs push only when nearer than one radius.

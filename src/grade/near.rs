@@ -30,6 +30,11 @@ impl Near {
         self == Self::default()
     }
 
+    /// One disc and nothing else was near.
+    pub fn with(partner: usize) -> Self {
+        Self { partner: Some(partner as u32), ..Self::default() }
+    }
+
     fn meets(&mut self, j: usize) {
         self.many |= self.partner.is_some_and(|known| known as usize != j);
         self.partner = Some(j as u32);

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::check::Check;
+use super::mistake::Mistake;
 use crate::analysis::collision::{ContactEnd, angular_frequency, damping_ratio, restitution};
 
 /// What a skipped check does to the points.
@@ -15,6 +16,41 @@ pub enum Skipped {
     LeftOut,
     /// They are lost with the check they hang on.
     Lost,
+}
+
+/// What pushes discs apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Law {
+    /// Springs, Eq. (1): a contact takes time and depth.
+    Spring,
+    /// Impulses: a contact takes neither.
+    Hard,
+}
+
+/// What a submission loses that took eta_n = 1.5e3 as the guide prints it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PrintedEta {
+    /// Nothing: it did as told. The report explains.
+    Forgiven,
+    /// The points of what discs that never part get wrong.
+    Wrong,
+}
+
+/// When a student may see a check: the values of Gradescope.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Visibility {
+    /// Never.
+    Hidden,
+    /// After the due date.
+    AfterDueDate,
+    /// When grades are published.
+    AfterPublished,
+    /// At once.
+    #[default]
+    Visible,
 }
 
 /// A course's numbers. SI units.
@@ -37,8 +73,16 @@ pub struct Rubric {
     pub kn: f64,
     /// Damping eta_n, kg/s; not used if `restitution` is given.
     pub eta: f64,
+    /// What pushes discs apart.
+    pub law: Law,
     /// Restitution e of walls and pairs.
     pub restitution: Option<f64>,
+    /// Restitution of walls, before `restitution`.
+    pub restitution_wall: Option<f64>,
+    /// Restitution of pairs, before `restitution`.
+    pub restitution_pair: Option<f64>,
+    /// What a submission loses that took eta_n as the guide prints it.
+    pub printed_eta: PrintedEta,
     /// How far the median of measured restitutions may be off.
     pub restitution_tolerance: f64,
     /// By what part of itself the energy may change.
@@ -47,6 +91,12 @@ pub struct Rubric {
     pub skipped: Skipped,
     /// Points of each check.
     pub points: BTreeMap<Check, f64>,
+    /// What part of a check's points a mistake leaves, 0 to 1; 0 if not named.
+    pub partial: BTreeMap<Mistake, f64>,
+    /// When students may see a check; at once if not named.
+    pub visibility: BTreeMap<Check, Visibility>,
+    /// Hints in place of the usual ones.
+    pub hints: BTreeMap<Mistake, String>,
 }
 
 impl Default for Rubric {
@@ -60,44 +110,24 @@ impl Default for Rubric {
             gravity: 9.81,
             kn: 5e4,
             eta: 1.5e-3,
+            law: Law::Spring,
             restitution: None,
-            restitution_tolerance: 0.05,
+            restitution_wall: None,
+            restitution_pair: None,
+            printed_eta: PrintedEta::Forgiven,
+            restitution_tolerance: 0.035,
             energy_tolerance: 0.08,
             skipped: Skipped::LeftOut,
             points: BTreeMap::new(),
+            partial: BTreeMap::new(),
+            visibility: BTreeMap::new(),
+            hints: BTreeMap::new(),
         }
     }
 }
 
 /// A commented rubric with the usual numbers.
-pub const COMMENTED: &str = "\
-# Rubric of parsim2d grade. Every line may be left out; these are the usual numbers, in SI units.
-n = []                        # number of discs: any of these; [] for any number
-side = 0.04                   # m
-corner = [0.0, 0.0]           # lower left corner of the box, m; [-0.02, -0.02] for a centred one
-radius = [1e-4, 5e-4]         # m: any of these; [] for any
-mass = 1e-3                   # kg
-gravity = 9.81                # m/s2, positive downward
-kn = 5e4                      # N/m: how deep discs may sink in
-eta = 1.5e-3                  # kg/s: the restitution to be expected
-# restitution = 1.0           # instead of eta, for walls and pairs
-restitution_tolerance = 0.05  # how far the median may be off
-energy_tolerance = 0.08       # by what part of itself the energy may change
-skipped = \"left_out\"          # checks that hang on a failed one: \"left_out\" of the points, or \"lost\"
-
-[points]
-frames = 1.0
-discs = 1.0
-radii = 1.0
-box = 1.0
-start = 1.0
-free_flight = 3.0
-wall_bounce = 2.0
-pair_collision = 2.0
-restitution_wall = 1.0
-restitution_pair = 1.0
-energy = 2.0
-";
+pub const COMMENTED: &str = include_str!("rubric/usual.toml");
 
 impl Rubric {
     /// Reads a rubric. Errors name the line, key, value and way out.
@@ -123,13 +153,24 @@ impl Rubric {
         let points = self.points.iter().map(|(check, &points)| (check.id(), points));
         let rest = not_negative.into_iter().chain(points);
         let rest = rest.map(|(k, v)| bad(v.is_finite() && v >= 0.0, k, v, "0 or more"));
-        let e = self.restitution.unwrap_or(1.0);
-        let corner = self.corner.iter().find(|value| !value.is_finite());
-        more.chain(rest)
-            .flatten()
-            .next()
-            .or_else(|| bad(e > 0.0 && e <= 1.0, "restitution", e, "above 0 and at most 1"))
-            .or_else(|| bad(corner.is_none(), "corner", *corner?, "two finite numbers"))
+        let corner = self.corner.map(|v| bad(v.is_finite(), "corner", v, "two finite numbers"));
+        more.chain(rest).chain(corner).flatten().next().or_else(|| self.part_refused())
+    }
+
+    /// What lies between 0 and 1.
+    fn part_refused(&self) -> Option<String> {
+        let kept = self.partial.iter().map(|(mistake, &part)| (mistake.id(), Some(part)));
+        let e = [
+            ("restitution", self.restitution),
+            ("restitution_wall", self.restitution_wall),
+            ("restitution_pair", self.restitution_pair),
+        ];
+        e.map(|(name, e)| (name.to_owned(), e))
+            .into_iter()
+            .chain(kept)
+            .filter_map(|(name, part)| Some((name, part?)))
+            .find(|(_, part)| !(0.0..=1.0).contains(part))
+            .map(|(name, part)| format!("{name} = {part} is out of range; it is 0 to 1"))
     }
 
     /// Points of a check.
@@ -143,14 +184,20 @@ impl Rubric {
     }
 
     /// omega0 of a contact with a wall, or of a pair, 1/s.
+    ///
+    /// Infinite for hard discs.
     pub fn omega0(&self, is_wall: bool) -> f64 {
+        if self.law == Law::Hard {
+            return f64::INFINITY;
+        }
         angular_frequency(self.kn, self.reduced_mass(is_wall))
     }
 
     /// The smallest and largest restitution that is right: a contact may end at overlap zero or
     /// at force zero.
     pub fn expected_restitution(&self, is_wall: bool) -> (f64, f64) {
-        if let Some(e) = self.restitution {
+        let own = if is_wall { self.restitution_wall } else { self.restitution_pair };
+        if let Some(e) = own.or(self.restitution) {
             return (e, e);
         }
         let zeta = damping_ratio(self.eta, self.kn, self.reduced_mass(is_wall));
@@ -159,8 +206,18 @@ impl Rubric {
         (a.min(b), a.max(b))
     }
 
-    /// Whether nothing takes energy.
+    /// Whether contacts take next to nothing: less than a thousandth of the speed.
     pub fn is_elastic(&self) -> bool {
-        self.expected_restitution(true).0 == 1.0
+        [true, false].iter().all(|&is_wall| self.expected_restitution(is_wall).0 > 0.999)
+    }
+
+    /// When students may see a check.
+    pub fn visibility_of(&self, check: Check) -> Visibility {
+        self.visibility.get(&check).copied().unwrap_or_default()
+    }
+
+    /// What part of a check's points a mistake leaves.
+    pub fn part_left(&self, mistake: Option<Mistake>) -> f64 {
+        mistake.and_then(|mistake| self.partial.get(&mistake).copied()).unwrap_or(0.0)
     }
 }

@@ -3,14 +3,15 @@
 //! A passed check earns its points, a failed one loses them. One that is *not seen* (no two
 //! discs ever met, say) does neither: it is out of the count, and the report says so. What hangs on
 //! a failed check is *skipped*: out of the count as well, for one mistake should cost one check
-//! (the rubric can say otherwise).
+//! (the rubric can say otherwise, and can leave part of a check's points to a mistake).
 
 use serde_json::{Value, json};
 
 use super::check::Check;
+use super::film::Film;
 use super::mistake::Mistake;
 use super::rubric::{Rubric, Skipped};
-use super::words::{Finding, Quantity, Words};
+use super::words::{Finding, Note, Quantity, Words};
 
 /// A failure: where it is seen, by which numbers, what it looks like.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,13 +26,15 @@ pub struct Failure {
     pub numbers: Vec<(Quantity, f64)>,
     /// Which mistake it looks like.
     pub cause: Option<Mistake>,
+    /// What a tool printed, or names of files. It comes from a submission: escape it before showing it.
+    pub said: Option<String>,
 }
 
 impl Failure {
     /// A failure without a place and numbers.
     pub fn of(finding: Finding, cause: impl Into<Option<Mistake>>) -> Self {
         let cause = cause.into();
-        Self { finding, frame: None, discs: Vec::new(), numbers: Vec::new(), cause }
+        Self { finding, frame: None, discs: Vec::new(), numbers: Vec::new(), cause, said: None }
     }
 
     /// With the frame and the discs where it is seen.
@@ -44,6 +47,12 @@ impl Failure {
     /// With one more number.
     pub fn with(mut self, quantity: Quantity, value: f64) -> Self {
         self.numbers.push((quantity, value));
+        self
+    }
+
+    /// With what a tool printed, or names of files; nothing is added if it is empty.
+    pub fn saying(mut self, text: &str) -> Self {
+        self.said = (!text.trim().is_empty()).then(|| text.trim_end().to_owned());
         self
     }
 }
@@ -69,9 +78,9 @@ pub type Verdict = Status;
 pub struct Report {
     /// Each check that was come to, in order.
     pub checks: Vec<(Check, Status)>,
-    /// Points of each check, in the order of [`Check::ALL`].
-    points: Vec<f64>,
-    skipped: Skipped,
+    /// What is to be asked.
+    asked: Vec<Check>,
+    rubric: Rubric,
     /// Whole frames.
     pub frames: usize,
     /// Discs.
@@ -80,14 +89,33 @@ pub struct Report {
     pub torn: usize,
     /// Frames between which more or less time went by than between others, left out.
     pub uneven: usize,
+    /// What the reader should know, though it costs nothing.
+    pub notes: Vec<Note>,
 }
 
 impl Report {
-    /// A report before the first check.
-    pub fn new(rubric: &Rubric) -> Self {
-        let points = Check::ALL.map(|check| rubric.points_of(check)).to_vec();
-        let skipped = rubric.skipped;
-        Self { checks: Vec::new(), points, skipped, frames: 0, discs: 0, torn: 0, uneven: 0 }
+    /// A report of frames, before the first check: what needs a program that runs is neither asked nor counted.
+    pub fn of_frames(rubric: &Rubric) -> Self {
+        let asked = Check::ALL.into_iter().filter(|check| check.is_of_frames()).collect();
+        Self::asking(asked, rubric)
+    }
+
+    /// A report of a whole submission, before the first check. Checks worth 0 points are asked as well.
+    pub fn of_submission(rubric: &Rubric) -> Self {
+        Self::asking(Check::ALL.to_vec(), rubric)
+    }
+
+    fn asking(asked: Vec<Check>, rubric: &Rubric) -> Self {
+        Self {
+            checks: Vec::new(),
+            asked,
+            rubric: rubric.clone(),
+            frames: 0,
+            discs: 0,
+            torn: 0,
+            uneven: 0,
+            notes: Vec::new(),
+        }
     }
 
     /// Writes down a check.
@@ -105,9 +133,18 @@ impl Report {
         self.push(check, status);
     }
 
-    /// Skips every check not yet come to: only right after one that they all hang on failed.
+    /// Goes through every check of frames not yet come to: what hangs on a failed one is skipped.
+    pub fn skip_frames(&mut self) {
+        for check in Check::ALL.into_iter().filter(|check| check.is_of_frames()) {
+            if self.status(check).is_none() {
+                self.decide(check, || Status::NotSeen);
+            }
+        }
+    }
+
+    /// Goes through every check asked for and not yet come to, of frames or not.
     pub fn skip_the_rest(&mut self) {
-        for check in Check::ALL {
+        for check in self.asked.clone() {
             if self.status(check).is_none() {
                 self.decide(check, || Status::NotSeen);
             }
@@ -116,12 +153,12 @@ impl Report {
 
     /// Discs whose energy grew without bound pass any wall in the end: that is one mistake, not two.
     pub fn forgive_walls_that_were_shot_through(&mut self) {
-        let grows = |status: Option<&Status>| matches!(status, Some(Status::Failed(why)) if why.finding == Finding::EnergyGrows);
-        if grows(self.status(Check::Energy)) {
-            let walls = self.checks.iter_mut().find(|(check, _)| *check == Check::Box);
-            if let Some((_, status @ Status::Failed(_))) = walls {
-                *status = Status::NotSeen;
-            }
+        let makers = [Mistake::ExplicitEuler, Mistake::DampingSign, Mistake::EnergyPump];
+        let is_made =
+            self.failures().any(|(_, why)| why.cause.is_some_and(|m| makers.contains(&m)));
+        let walls = self.checks.iter_mut().find(|(check, _)| *check == Check::Box);
+        if let (true, Some((_, status @ Status::Failed(_)))) = (is_made, walls) {
+            *status = Status::NotSeen;
         }
     }
 
@@ -135,32 +172,49 @@ impl Report {
         self.status(check) == Some(&Status::Passed)
     }
 
-    fn points_of(&self, check: Check) -> f64 {
-        self.points[check as usize]
+    /// Whether a check failed.
+    pub fn failed(&self, check: Check) -> bool {
+        matches!(self.status(check), Some(Status::Failed(_)))
     }
 
-    fn sum(&self, wanted: impl Fn(&Status) -> bool) -> f64 {
-        let chosen = self.checks.iter().filter(|(_, status)| wanted(status));
-        chosen.map(|(check, _)| self.points_of(*check)).sum()
+    /// Points of a check.
+    pub fn points_of(&self, check: Check) -> f64 {
+        self.rubric.points_of(check)
+    }
+
+    /// The rubric it was judged by.
+    pub fn rubric(&self) -> &Rubric {
+        &self.rubric
+    }
+
+    /// Points earned and lost by a check.
+    pub fn score(&self, check: Check, status: &Status) -> (f64, f64) {
+        let points = self.points_of(check);
+        match status {
+            Status::Passed => (points, 0.0),
+            Status::Failed(failure) => {
+                let left = self.rubric.part_left(failure.cause);
+                (left * points, (1.0 - left) * points)
+            }
+            Status::Skipped(_) if self.rubric.skipped == Skipped::Lost => (0.0, points),
+            Status::Skipped(_) | Status::NotSeen => (0.0, 0.0),
+        }
     }
 
     /// Points earned.
     pub fn earned(&self) -> f64 {
-        self.sum(|status| *status == Status::Passed)
+        self.checks.iter().map(|(check, status)| self.score(*check, status).0).sum()
     }
 
     /// Points lost.
     pub fn lost(&self) -> f64 {
-        self.sum(|status| match status {
-            Status::Failed(_) => true,
-            Status::Skipped(_) => self.skipped == Skipped::Lost,
-            _ => false,
-        })
+        self.checks.iter().map(|(check, status)| self.score(*check, status).1).sum()
     }
 
     /// Points neither earned nor lost.
     pub fn open(&self) -> f64 {
-        self.points.iter().sum::<f64>() - self.earned() - self.lost()
+        let all: f64 = self.asked.iter().map(|&check| self.points_of(check)).sum();
+        all - self.earned() - self.lost()
     }
 
     /// Earned of what was decided, per cent; nothing decided is nothing earned.
@@ -177,10 +231,20 @@ impl Report {
         })
     }
 
+    /// The hint for a mistake: the rubric's own, or the usual one.
+    pub fn hint<'a>(&'a self, mistake: Mistake, words: &Words) -> &'a str {
+        self.rubric.hints.get(&mistake).map_or((words.mistake)(mistake).hint, String::as_str)
+    }
+
     /// As JSON, with stable names and texts of a language.
     pub fn json(&self, words: &Words) -> Value {
         let checks: Vec<Value> =
             self.checks.iter().map(|(check, status)| self.json_of(*check, status, words)).collect();
+        let notes: Vec<Value> = self
+            .notes
+            .iter()
+            .map(|note| json!({"id": note, "text": (words.note)(*note)}))
+            .collect();
         json!({
             "schema": "parsim2d/grade/v1",
             "percent": self.percent(),
@@ -191,8 +255,20 @@ impl Report {
             "discs": self.discs,
             "torn_frames": self.torn,
             "uneven_frames": self.uneven,
+            "notes": notes,
             "checks": checks,
         })
+    }
+
+    /// As JSON, each failure that has a frame with a `picture` of it in SVG.
+    pub fn json_with_pictures(&self, words: &Words, film: Option<&Film>) -> Value {
+        let mut value = self.json(words);
+        for (k, (_, status)) in self.checks.iter().enumerate() {
+            if let (Status::Failed(failure), Some(film)) = (status, film) {
+                value["checks"][k]["failure"]["picture"] = failure.picture(film).into();
+            }
+        }
+        value
     }
 
     fn json_of(&self, check: Check, status: &Status, words: &Words) -> Value {
@@ -203,30 +279,30 @@ impl Report {
             Status::NotSeen => ("not_seen", None),
             Status::Skipped(_) => ("skipped", None),
         };
-        let needs = check.needs().map(Check::id);
+        let needs = check.needs().filter(|needed| self.asked.contains(needed)).map(Check::id);
+        let (earned, lost) = self.score(check, status);
         let mut value = json!({"id": check.id(), "name": name, "status": id, "passed": passed,
-            "points": self.points_of(check), "needs": needs});
+            "points": self.points_of(check), "earned": earned, "lost": lost, "needs": needs,
+            "visibility": self.rubric.visibility_of(check)});
         if let Status::Skipped(root) = status {
             value["because_of"] = root.id().into();
         }
         if let Status::Failed(failure) = status {
-            value["failure"] = failure.json(words);
+            value["failure"] = self.json_of_failure(failure, words);
         }
         value
     }
-}
 
-impl Failure {
-    fn json(&self, words: &Words) -> Value {
-        let finding = (words.finding)(self.finding);
-        let numbers: Vec<Value> = self.numbers.iter().map(|(quantity, value)| {
-            json!({"id": quantity, "name": (words.quantity)(*quantity), "value": value})
-        }).collect();
-        let cause = self.cause.map(|mistake| {
-            let said = (words.mistake)(mistake);
-            json!({"id": mistake, "looks_like": said.looks_like, "hint": said.hint})
+    fn json_of_failure(&self, failure: &Failure, words: &Words) -> Value {
+        let finding = (words.finding)(failure.finding);
+        let number = |(quantity, value): &(Quantity, f64)| json!({"id": quantity, "name": (words.quantity)(*quantity), "value": value});
+        let numbers: Vec<Value> = failure.numbers.iter().map(number).collect();
+        let cause = failure.cause.map(|mistake| {
+            let looks_like = (words.mistake)(mistake).looks_like;
+            json!({"id": mistake, "looks_like": looks_like, "hint": self.hint(mistake, words)})
         });
-        json!({"finding": self.finding, "what": finding.what, "expected": finding.expected,
-            "frame": self.frame, "discs": self.discs, "numbers": numbers, "cause": cause})
+        json!({"finding": failure.finding, "what": finding.what, "expected": finding.expected,
+            "frame": failure.frame, "discs": failure.discs, "numbers": numbers, "cause": cause,
+            "said": failure.said})
     }
 }

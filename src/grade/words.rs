@@ -14,6 +14,32 @@ pub use self::english::ENGLISH;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Finding {
+    /// A file that was asked for is not there.
+    FileMissing,
+    /// make, the compiler or the linker failed.
+    BuildFails,
+    /// The build took too long.
+    BuildTakesTooLong,
+    /// A signal or an exit code other than 0.
+    Crashed,
+    /// It ended and wrote nothing.
+    EndedWithoutFrames,
+    /// It wrote too few frames in the time it has.
+    TakesTooLong,
+    /// It wrote too much.
+    WritesTooMuch,
+    /// It was stopped by a limit on memory, processes or processor time.
+    Stopped,
+    /// The compiler warns.
+    Warned,
+    /// A sanitizer reports.
+    Misused,
+    /// Another number of discs than asked for.
+    CountNotAsked,
+    /// Contacts are much softer than asked.
+    ContactTooSoft,
+    /// Contacts are stiffer than asked.
+    ContactTooStiff,
     /// An empty file.
     NothingWritten,
     /// No line is a disc.
@@ -54,6 +80,14 @@ pub enum Finding {
     EnergyGrows,
     /// Energy falls.
     EnergyFalls,
+}
+
+/// What the reader should know, though it costs nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Note {
+    /// Discs that touch never part: eta_n as the guide prints it.
+    PrintedEta,
 }
 
 /// What a number of a failure is.
@@ -102,6 +136,18 @@ pub enum Quantity {
     ExpectedRestitution,
     /// Change of the energy over the energy.
     EnergyChange,
+    /// Discs asked for.
+    CountAsked,
+    /// Stiffness of contacts over the rubric's.
+    Stiffness,
+    /// Seconds of wall time.
+    Seconds,
+    /// Exit code.
+    ExitCode,
+    /// Signal.
+    Signal,
+    /// Bytes.
+    Bytes,
 }
 
 /// The words for a check.
@@ -142,6 +188,8 @@ pub struct Words {
     pub finding: fn(Finding) -> FindingWords,
     /// Of numbers, with units.
     pub quantity: fn(Quantity) -> &'static str,
+    /// Of notes.
+    pub note: fn(Note) -> &'static str,
     /// Of mistakes.
     pub mistake: fn(Mistake) -> MistakeWords,
     /// Before the frame of a failure.

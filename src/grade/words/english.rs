@@ -1,6 +1,6 @@
 //! English.
 
-use super::{CheckWords, Finding, FindingWords, MistakeWords, Quantity, Words};
+use super::{CheckWords, Finding, FindingWords, MistakeWords, Note, Quantity, Words};
 use crate::grade::check::Check;
 use crate::grade::mistake::Mistake;
 
@@ -10,6 +10,7 @@ pub const ENGLISH: Words = Words {
     check,
     finding,
     quantity,
+    note,
     mistake,
     frame: "frame",
     discs: "disc",
@@ -27,6 +28,12 @@ pub const ENGLISH: Words = Words {
 #[allow(clippy::too_many_lines)] // a table
 fn check(check: Check) -> CheckWords {
     let (title, explained) = match check {
+        Check::Files => ("all files were handed in",
+            "The files that the rubric asks for lie in the folder; links are not followed."),
+        Check::Builds => ("the program can be built",
+            "The build command ends well within its time, and the program to be run is there."),
+        Check::Runs => ("the program runs",
+            "It writes frames, and ends well or goes on until it is stopped: that is no mistake."),
         Check::Frames => ("out.txt holds frames",
             "Lines of `x y r`, frames apart by blank lines. CRLF, remarks, a line of names, more \
              columns and a constant border are forgiven; cut frames are left out and cost nothing."),
@@ -46,19 +53,27 @@ fn check(check: Check) -> CheckWords {
              all discs: exact for every integrator of the course, without knowing the time step. The \
              tolerance is half a unit of the last printed place, over the square of the frames used."),
         Check::WallBounce => ("walls push straight",
-            "From the flights before and after a bounce: the velocity along the wall stays as it was."),
+            "From the flights before and after a bounce: the velocity along the wall stays as it was. A bounce \
+             that lasts for many frames shows how stiff the wall is, with the time between frames from gravity."),
         Check::PairCollision => ("two discs push each other equally, along their centres",
             "From the flights before and after: the sum of the velocities and the relative angular momentum \
-             are the same, whatever the force law. Discs on course for each other must not fly on unmoved."),
+             are the same, whatever the force law. Discs on course for each other must not fly on unmoved, \
+             nor push far more weakly than the rubric's spring."),
         Check::RestitutionWall => ("bounces on walls give back the right speed",
-            "The median over all bounces of the speed after over the speed before, at the place of touch."),
+            "The median over the bounces on each wall of the speed after over the speed before, at the place of touch."),
         Check::RestitutionPair => ("collisions give back the right speed",
             "The median over collisions that are not too oblique of the relative speed along the centres \
-             after over before."),
+             after over before. What an oblique contact gives back more, by turning, is computed and taken off."),
         Check::Energy => ("energy is never made",
             "The sum over discs of v²/2 + c y in free flight, first tenth of the film beside the last: \
              it never grows, and stays for elastic discs. A trajectory is never compared: two right \
              programs part after ten collisions."),
+        Check::Many => ("a box of a thousand discs works as well",
+            "A few frames of a second run with 1000 discs: all there, apart at the start, finite, in the box."),
+        Check::Warnings => ("the compiler has nothing to warn of",
+            "Built once more with -Wall -Wextra."),
+        Check::Sanitizer => ("memory and arithmetic are used as the language asks",
+            "Built and run once more with the address and undefined behaviour sanitizers."),
     };
     CheckWords { title, explained }
 }
@@ -67,6 +82,19 @@ fn check(check: Check) -> CheckWords {
 #[allow(clippy::too_many_lines)] // a table
 fn finding(finding: Finding) -> FindingWords {
     let (what, expected) = match finding {
+        Finding::FileMissing => ("a file that was asked for is not there", "the files that the assignment names"),
+        Finding::BuildFails => ("the program cannot be built", "a build without errors, and the program under the name asked for"),
+        Finding::BuildTakesTooLong => ("the build did not end in its time", "a build of seconds"),
+        Finding::Crashed => ("the program ended with an error", "exit code 0, or a program that goes on"),
+        Finding::EndedWithoutFrames => ("the program ended and left no frame", "frames in out.txt"),
+        Finding::TakesTooLong => ("the program wrote too few frames in the time it has", "frames one after another"),
+        Finding::WritesTooMuch => ("the program wrote more than there is room for", "frames of some hundred bytes to some hundred kilobytes"),
+        Finding::Stopped => ("the program was stopped by a limit on memory, processes or processor time", "one process and some megabytes"),
+        Finding::Warned => ("the compiler warns", "no warning with -Wall -Wextra"),
+        Finding::Misused => ("a sanitizer reports a fault", "no report"),
+        Finding::CountNotAsked => ("not the number of discs asked for", "every disc, from the first frame on"),
+        Finding::ContactTooSoft => ("contacts push far too weakly: discs sink deep into each other and turn slowly", "the stiffness of the assignment"),
+        Finding::ContactTooStiff => ("contacts push too strongly: discs turn too soon", "the stiffness of the assignment"),
         Finding::NothingWritten => ("nothing was written", "frames of `x y r` lines"),
         Finding::NoRows => ("no line is a disc", "lines of three numbers, `x y r`"),
         Finding::MostlyTorn => ("more frames are cut than whole", "as many rows in every frame"),
@@ -114,6 +142,22 @@ fn quantity(quantity: Quantity) -> &'static str {
         Quantity::Restitution => "median restitution e",
         Quantity::ExpectedRestitution => "expected e",
         Quantity::EnergyChange => "change of the energy, parts of it",
+        Quantity::CountAsked => "discs asked for",
+        Quantity::Stiffness => "stiffness, parts of the one asked for",
+        Quantity::Seconds => "time, s",
+        Quantity::ExitCode => "exit code",
+        Quantity::Signal => "signal",
+        Quantity::Bytes => "written, bytes",
+    }
+}
+
+fn note(note: Note) -> &'static str {
+    match note {
+        Note::PrintedEta => {
+            "discs that touch never part. That is what eta_n = 1.5e3 of the guide does if it is taken in \
+             kg/s: 150 times critical damping. You did as told, and no points are lost; we think a minus \
+             sign was lost in print. Try 1.5e-3 and see discs bounce."
+        }
     }
 }
 
@@ -121,8 +165,18 @@ fn quantity(quantity: Quantity) -> &'static str {
 #[allow(clippy::too_many_lines)] // a table
 fn mistake(mistake: Mistake) -> MistakeWords {
     let (looks_like, hint) = match mistake {
+        Mistake::NoMakefile => ("a Makefile that was forgotten, or has another name", "list the folder as you handed it in: is it as the assignment says?"),
+        Mistake::DoesNotBuild => ("a program that was changed after it was last built", "read the first error, not the last; build in a fresh copy of the folder"),
+        Mistake::Crashes => ("an access outside of what was reserved, or an error that nobody catches", "run it in a debugger, or build it with -fsanitize=address: where does it stop?"),
+        Mistake::EndsWithoutFrames => ("a loop over frames that is never entered, or another name of the file", "print the number of frames to be written before the loop begins"),
+        Mistake::TooSlow => ("a loop that waits or never ends", "which loop has an end that may never come?"),
+        Mistake::OutputTooLarge => ("a file that grows without end", "when is out.txt begun anew?"),
+        Mistake::StoppedByLimits => ("memory or processes without bound", "what is reserved in a loop, and how often?"),
+        Mistake::ForceOverWrongMass => ("a contact force over another mass than the disc's, or over none", "from force to acceleration: what does Newton's second law divide by, for every force?"),
+        Mistake::NormalNotNormalised => ("a normal that is not of length 1", "what is the length of the vector that you multiply the overlap with?"),
+        Mistake::ForceAppliedTwice => ("a force that each pair feels twice", "how often does your loop meet discs 3 and 7?"),
         Mistake::EmptyFile => ("a file that was opened and never filled", "is the loop that writes ever reached, and the file closed or flushed?"),
-        Mistake::NoFrames => ("remarks only", "print one line for every disc"),
+        Mistake::NoFrames => ("a file of another name, or remarks only", "what is the file called that your program opens?"),
         Mistake::WrongColumns => ("another number of columns than three", "open out.txt: what stands in a line, and what does gnuplot want there?"),
         Mistake::FrameTorn => ("frames that end before their time", "does every frame run over all discs?"),
         Mistake::NotANumber => ("a division by zero or a root of something negative", "which denominator can be zero, and for which two discs?"),
