@@ -132,7 +132,7 @@ fn snapshots_give_the_report_of_the_file_and_torn_ones_are_left_out() {
 fn a_program_that_writes_its_history_anew_each_time_is_read_from_the_last_one() {
     let plain = Program { frames: 60, ..Program::new(Bug::None, 2) }.output();
     let ends = plain.match_indices("\n\n").map(|(at, _)| at + 2);
-    let all: Vec<Vec<u8>> = ends.map(|end| plain[..end].as_bytes().to_vec()).collect();
+    let all: Vec<Vec<u8>> = ends.map(|end| plain.as_bytes()[..end].to_vec()).collect();
     assert_eq!(grade_film(Footage::Snapshots(&all), &elastic()).frames, 60);
 }
 
