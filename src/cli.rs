@@ -5,6 +5,7 @@ mod check;
 mod claim;
 mod doctor;
 mod drift;
+mod grade;
 mod interrupt;
 mod keeper;
 mod memory;
@@ -48,6 +49,7 @@ pub fn run() -> ExitCode {
         Some(Command::Check(arguments)) => check::check(&arguments),
         Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
         Some(Command::Drift(arguments)) => drift::run(&arguments),
+        Some(Command::Grade(arguments)) => grade::run(&arguments),
         Some(Command::Plot(arguments)) => plot::plot(&arguments),
         Some(Command::Report(arguments)) => report::report(&arguments),
         Some(Command::Resume(arguments)) => resume::resume(&arguments),
@@ -104,6 +106,9 @@ enum Command {
     /// Does the total energy stay constant? Measure it for each integrator and time step
     #[command(after_help = drift::EXAMPLES)]
     Drift(Box<drift::DriftArguments>),
+    /// Grade frames that a program wrote: points, causes and hints
+    #[command(after_help = grade::EXAMPLES)]
+    Grade(grade::GradeArguments),
     /// Draw what a run wrote: SVG, animated GIF, and gnuplot scripts
     Plot(Box<plot::PlotArguments>),
     /// Write one HTML page of a run, to hand in: parameters, diagnosis, pictures
@@ -129,6 +134,8 @@ enum Failure {
     Plot(#[from] plot::PlotError),
     #[error(transparent)]
     Report(#[from] report::ReportError),
+    #[error(transparent)]
+    Grade(#[from] grade::GradeError),
     #[error(transparent)]
     Refused(#[from] refusal::Refusal),
     #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
@@ -160,6 +167,7 @@ impl Failure {
             Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong { .. } => {
                 ExitCode::FAILURE
             }
+            Self::Grade(error) => ExitCode::from(error.exit_code()),
             Self::Scenario(_)
             | Self::Output(_)
             | Self::Plot(_)

@@ -13,7 +13,8 @@
 //! Reading order, an hour in all: [`particle`], [`simulation`], [`integrator`], [`force`]. Then
 //! what they rest on ([`placement`], [`neighbours`], [`work`]), what is read off a run
 //! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
-//! the report of a run ([`page`]), what students hand in as it is built and run ([`workshop`]) and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
+//! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]), how students' programs are built and run
+//! ([`workshop`]), and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
 //!
 //! SI units and f64 throughout.
 //!
@@ -38,6 +39,7 @@ pub mod crowd;
 pub mod discs;
 pub mod figure;
 pub mod force;
+pub mod grade;
 pub mod integrator;
 pub mod neighbours;
 pub mod output;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 19] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -34,8 +34,9 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
     ("page", &["analysis", "output", "figure", "scenario"]),
-    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page"]),
     ("workshop", &[]),
+    ("grade", &["analysis", "figure"]),
+    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade"]),
     ("main", &[]),
     ("lib", &[]),
 ];

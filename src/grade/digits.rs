@@ -1,0 +1,58 @@
+//! How finely numbers were printed: what a difference may be before it means anything.
+
+/// The way in which a file prints its positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Digits {
+    /// So many digits after the dot in every number.
+    Fixed(i32),
+    /// So many significant digits, zeros at the end left out (what C++ streams do).
+    General(i32),
+}
+
+/// What is known of the digits while a file is read.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tally {
+    significant: i32,
+    decimals: Option<i32>,
+    varies: bool,
+}
+
+impl Tally {
+    /// Takes note of one number as printed.
+    pub fn note(&mut self, word: &str) {
+        let mantissa = word.split(['e', 'E']).next().unwrap_or_default();
+        let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        let decimals = mantissa.split('.').nth(1).map_or(0, str::len) as i32;
+        self.significant = self.significant.max(digits.trim_start_matches('0').len() as i32);
+        self.varies |= word.len() != mantissa.len();
+        self.varies |= self.decimals.is_some_and(|before| before != decimals);
+        self.decimals = Some(decimals);
+    }
+
+    /// What they were.
+    pub fn digits(&self) -> Digits {
+        match self.decimals {
+            Some(decimals) if !self.varies => Digits::Fixed(decimals),
+            _ => Digits::General(self.significant.max(1)),
+        }
+    }
+}
+
+impl Digits {
+    /// Half a unit of the last printed place of `value`.
+    ///
+    /// ```
+    /// use parsim2d::grade::digits::Digits;
+    /// assert!((Digits::Fixed(4).half_unit(0.03) - 5e-5).abs() < 1e-12);
+    /// assert!((Digits::General(6).half_unit(0.0123) - 5e-8).abs() < 1e-12);
+    /// ```
+    pub fn half_unit(self, value: f64) -> f64 {
+        match self {
+            Self::Fixed(decimals) => 0.5 * 10f64.powi(-decimals.min(300)),
+            Self::General(_) if value == 0.0 => 0.0,
+            Self::General(digits) => {
+                0.5 * 10f64.powi(value.abs().log10().floor() as i32 - digits.min(300) + 1)
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! A film: the same discs in frame after frame, in metres.
+
+use glam::DVec2;
+
+use super::digits::Digits;
+use super::rubric::Rubric;
+
+/// A disc in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Centre, m.
+    pub position: DVec2,
+    /// Radius, m.
+    pub radius: f64,
+}
+
+/// Frames as written, without torn ones and without a constant border.
+#[derive(Clone, Debug)]
+pub struct Film {
+    /// The frames; a wrong program's may differ in length.
+    pub frames: Vec<Vec<Spot>>,
+    /// For each frame, whether it follows the one before it directly (nothing was dropped).
+    pub follows: Vec<bool>,
+    /// How finely positions were printed.
+    pub digits: Digits,
+    /// Frames that were cut and left out.
+    pub torn: usize,
+    /// Whether the printed radii were diameters, and have been halved.
+    pub halved: bool,
+    /// Side of the box, m.
+    pub side: f64,
+    /// Lower left corner of the box, m.
+    pub corner: DVec2,
+}
+
+impl Film {
+    /// Discs in the first frame.
+    pub fn n(&self) -> usize {
+        self.frames.first().map_or(0, Vec::len)
+    }
+
+    /// Where disc `i` is in frame `k`, m.
+    pub fn at(&self, k: usize, i: usize) -> DVec2 {
+        self.frames[k][i].position
+    }
+
+    /// Radius of disc `i`, m.
+    pub fn radius(&self, i: usize) -> f64 {
+        self.frames[0][i].radius
+    }
+
+    /// What a printed position may be off, m: half a unit of the last place, and no less than what
+    /// sums in single precision lose (6e-8 of a third of the side).
+    pub fn blur(&self, position: DVec2) -> f64 {
+        let printed = self.digits.half_unit(position.x).max(self.digits.half_unit(position.y));
+        printed.max(2e-8 * self.side)
+    }
+
+    /// What any position in the box may be off, m.
+    pub fn usual_blur(&self) -> f64 {
+        self.blur(DVec2::splat(0.5 * self.side))
+    }
+
+    /// The film up to where a disc that had long left the box comes to infinity: that disc is judged by
+    /// where it left, not by its last numbers.
+    pub fn before_it_blew_up(mut self) -> Self {
+        let is_bad = |spot: &Spot| !spot.position.is_finite();
+        let Some(k) = self.frames.iter().position(|frame| frame.iter().any(is_bad)) else {
+            return self;
+        };
+        let far = 1e3 * self.side;
+        let before = k.checked_sub(1).map(|before| &self.frames[before]);
+        let is_far = |spot: &Spot| spot.position.length() > far;
+        if before.is_some_and(|frame| frame.iter().any(is_far)) {
+            self.frames.truncate(k);
+            self.follows.truncate(k);
+        }
+        self
+    }
+
+    /// The film with radii halved, if what was printed is twice what the rubric asks for.
+    pub fn with_true_radii(mut self, rubric: &Rubric) -> Self {
+        let is = |radius: f64, asked: f64| (radius / asked - 1.0).abs() < 1e-3;
+        let all = |factor: f64| {
+            self.n() > 0
+                && rubric
+                    .radius
+                    .iter()
+                    .any(|&asked| self.frames[0].iter().all(|spot| is(spot.radius, factor * asked)))
+        };
+        if all(2.0) && !all(1.0) {
+            self.halved = true;
+            for spot in self.frames.iter_mut().flatten() {
+                spot.radius *= 0.5;
+            }
+        }
+        self
+    }
+}

@@ -1,0 +1,32 @@
+//! A box of a thousand discs: what can be said from a few frames.
+//!
+//! Nothing of motion is asked again. What goes wrong only with many is room (arrays of a fixed size,
+//! places that cannot be found), time, and contacts of several discs at once.
+
+use super::discs;
+use super::flight::Flights;
+use super::frames::{Footage, read};
+use super::rubric::Rubric;
+use super::verdict::{Status, Verdict};
+
+/// In a crowd discs that touch a wall are pushed further by others: twice the depth of one alone.
+const CROWDED: f64 = 2.0;
+
+/// All there, as large as asked, apart at the start, finite, in the box.
+pub fn verdict(footage: Footage, n: usize, rubric: &Rubric) -> Verdict {
+    let rubric = Rubric { n: vec![n], ..rubric.clone() };
+    let film = match read(footage, &rubric) {
+        Ok(film) => film.before_it_blew_up(),
+        Err(failure) => return Status::Failed(failure),
+    };
+    match discs::kept(&film, &rubric.n) {
+        Status::Passed => {}
+        other => return other,
+    }
+    let film = film.with_true_radii(&rubric);
+    let flights = Flights::of(&film, &rubric);
+    match discs::start(&film, &rubric) {
+        Status::Passed => discs::inside(&film, &flights, CROWDED, None, &rubric),
+        other => other,
+    }
+}

@@ -1,0 +1,223 @@
+//! The rubric: a course's numbers, tolerances and points, from a TOML file.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::check::Check;
+use super::mistake::Mistake;
+use crate::analysis::collision::{ContactEnd, angular_frequency, damping_ratio, restitution};
+
+/// What a skipped check does to the points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Skipped {
+    /// Nothing: one mistake costs one check.
+    LeftOut,
+    /// They are lost with the check they hang on.
+    Lost,
+}
+
+/// What pushes discs apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Law {
+    /// Springs, Eq. (1): a contact takes time and depth.
+    Spring,
+    /// Impulses: a contact takes neither.
+    Hard,
+}
+
+/// What a submission loses that took eta_n = 1.5e3 as the guide prints it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PrintedEta {
+    /// Nothing: it did as told. The report explains.
+    Forgiven,
+    /// The points of what discs that never part get wrong.
+    Wrong,
+}
+
+/// When a student may see a check: the values of Gradescope.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Visibility {
+    /// Never.
+    Hidden,
+    /// After the due date.
+    AfterDueDate,
+    /// When grades are published.
+    AfterPublished,
+    /// At once.
+    #[default]
+    Visible,
+}
+
+/// A course's numbers. SI units.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Rubric {
+    /// Number of discs: any of these; empty for any number.
+    pub n: Vec<usize>,
+    /// Side of the box, m.
+    pub side: f64,
+    /// Lower left corner of the box, m.
+    pub corner: [f64; 2],
+    /// Radius, m: any of these; empty for any.
+    pub radius: Vec<f64>,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Gravity, m/s2, positive downward.
+    pub gravity: f64,
+    /// Stiffness k_n, N/m.
+    pub kn: f64,
+    /// Damping eta_n, kg/s; not used if `restitution` is given.
+    pub eta: f64,
+    /// What pushes discs apart.
+    pub law: Law,
+    /// Restitution e of walls and pairs.
+    pub restitution: Option<f64>,
+    /// Restitution of walls, before `restitution`.
+    pub restitution_wall: Option<f64>,
+    /// Restitution of pairs, before `restitution`.
+    pub restitution_pair: Option<f64>,
+    /// What a submission loses that took eta_n as the guide prints it.
+    pub printed_eta: PrintedEta,
+    /// How far the median of measured restitutions may be off.
+    pub restitution_tolerance: f64,
+    /// By what part of itself the energy may change.
+    pub energy_tolerance: f64,
+    /// What a skipped check does to the points.
+    pub skipped: Skipped,
+    /// Points of each check.
+    pub points: BTreeMap<Check, f64>,
+    /// What part of a check's points a mistake leaves, 0 to 1; 0 if not named.
+    pub partial: BTreeMap<Mistake, f64>,
+    /// When students may see a check; at once if not named.
+    pub visibility: BTreeMap<Check, Visibility>,
+    /// Hints in place of the usual ones.
+    pub hints: BTreeMap<Mistake, String>,
+}
+
+impl Default for Rubric {
+    fn default() -> Self {
+        Self {
+            n: Vec::new(),
+            side: 0.04,
+            corner: [0.0; 2],
+            radius: vec![1e-4, 5e-4],
+            mass: 1e-3,
+            gravity: 9.81,
+            kn: 5e4,
+            eta: 1.5e-3,
+            law: Law::Spring,
+            restitution: None,
+            restitution_wall: None,
+            restitution_pair: None,
+            printed_eta: PrintedEta::Forgiven,
+            restitution_tolerance: 0.035,
+            energy_tolerance: 0.08,
+            skipped: Skipped::LeftOut,
+            points: BTreeMap::new(),
+            partial: BTreeMap::new(),
+            visibility: BTreeMap::new(),
+            hints: BTreeMap::new(),
+        }
+    }
+}
+
+/// A commented rubric with the usual numbers.
+pub const COMMENTED: &str = include_str!("rubric/usual.toml");
+
+impl Rubric {
+    /// Reads a rubric. Errors name the line, key, value and way out.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let rubric: Self = toml::from_str(text).map_err(|why| why.to_string())?;
+        rubric.refused().map_or(Ok(rubric), Err)
+    }
+
+    fn refused(&self) -> Option<String> {
+        let positive = [("side", self.side), ("mass", self.mass), ("kn", self.kn)];
+        let not_negative = [
+            ("gravity", self.gravity),
+            ("eta", self.eta),
+            ("restitution_tolerance", self.restitution_tolerance),
+            ("energy_tolerance", self.energy_tolerance),
+        ];
+        let bad = |ok: bool, name: &str, value: f64, range: &str| {
+            (!ok).then(|| format!("{name} = {value} is out of range; it is {range}"))
+        };
+        let radii = self.radius.iter().map(|&r| ("radius", r));
+        let more = positive.into_iter().chain(radii);
+        let more = more.map(|(k, v)| bad(v.is_finite() && v > 0.0, k, v, "above 0"));
+        let points = self.points.iter().map(|(check, &points)| (check.id(), points));
+        let rest = not_negative.into_iter().chain(points);
+        let rest = rest.map(|(k, v)| bad(v.is_finite() && v >= 0.0, k, v, "0 or more"));
+        let corner = self.corner.map(|v| bad(v.is_finite(), "corner", v, "two finite numbers"));
+        more.chain(rest).chain(corner).flatten().next().or_else(|| self.part_refused())
+    }
+
+    /// What lies between 0 and 1.
+    fn part_refused(&self) -> Option<String> {
+        let kept = self.partial.iter().map(|(mistake, &part)| (mistake.id(), Some(part)));
+        let e = [
+            ("restitution", self.restitution),
+            ("restitution_wall", self.restitution_wall),
+            ("restitution_pair", self.restitution_pair),
+        ];
+        e.map(|(name, e)| (name.to_owned(), e))
+            .into_iter()
+            .chain(kept)
+            .filter_map(|(name, part)| Some((name, part?)))
+            .find(|(_, part)| !(0.0..=1.0).contains(part))
+            .map(|(name, part)| format!("{name} = {part} is out of range; it is 0 to 1"))
+    }
+
+    /// Points of a check.
+    pub fn points_of(&self, check: Check) -> f64 {
+        self.points.get(&check).copied().unwrap_or(check.usual_points())
+    }
+
+    /// Reduced masses of a wall contact and of a pair, kg.
+    fn reduced_mass(&self, is_wall: bool) -> f64 {
+        if is_wall { self.mass } else { 0.5 * self.mass }
+    }
+
+    /// omega0 of a contact with a wall, or of a pair, 1/s.
+    ///
+    /// Infinite for hard discs.
+    pub fn omega0(&self, is_wall: bool) -> f64 {
+        if self.law == Law::Hard {
+            return f64::INFINITY;
+        }
+        angular_frequency(self.kn, self.reduced_mass(is_wall))
+    }
+
+    /// The smallest and largest restitution that is right: a contact may end at overlap zero or
+    /// at force zero.
+    pub fn expected_restitution(&self, is_wall: bool) -> (f64, f64) {
+        let own = if is_wall { self.restitution_wall } else { self.restitution_pair };
+        if let Some(e) = own.or(self.restitution) {
+            return (e, e);
+        }
+        let zeta = damping_ratio(self.eta, self.kn, self.reduced_mass(is_wall));
+        let ends = [ContactEnd::OverlapZero, ContactEnd::ForceZero];
+        let [a, b] = ends.map(|end| restitution(zeta, end));
+        (a.min(b), a.max(b))
+    }
+
+    /// Whether contacts take next to nothing: less than a thousandth of the speed.
+    pub fn is_elastic(&self) -> bool {
+        [true, false].iter().all(|&is_wall| self.expected_restitution(is_wall).0 > 0.999)
+    }
+
+    /// When students may see a check.
+    pub fn visibility_of(&self, check: Check) -> Visibility {
+        self.visibility.get(&check).copied().unwrap_or_default()
+    }
+
+    /// What part of a check's points a mistake leaves.
+    pub fn part_left(&self, mistake: Option<Mistake>) -> f64 {
+        mistake.and_then(|mistake| self.partial.get(&mistake).copied()).unwrap_or(0.0)
+    }
+}

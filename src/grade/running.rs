@@ -1,0 +1,76 @@
+//! What goes wrong before there is a frame to look at: failures of handing in, building, running.
+//!
+//! Who builds and runs (the workshop) finds them; here they get their causes, words and numbers.
+
+use super::mistake::Mistake;
+use super::verdict::Failure;
+use super::words::{Finding, Quantity};
+
+impl Failure {
+    /// Files that were not handed in.
+    ///
+    /// ```
+    /// use parsim2d::grade::{mistake::Mistake, verdict::Failure};
+    /// assert_eq!(Failure::files_missing(&["Makefile"]).cause, Some(Mistake::NoMakefile));
+    /// assert_eq!(Failure::files_missing(&["particle.h"]).cause, None);
+    /// ```
+    pub fn files_missing(names: &[&str]) -> Self {
+        let cause = names.contains(&"Makefile").then_some(Mistake::NoMakefile);
+        Self::of(Finding::FileMissing, cause).saying(&names.join(", "))
+    }
+
+    /// A build that failed; `log` is what it printed.
+    pub fn does_not_build(log: &str) -> Self {
+        Self::of(Finding::BuildFails, Mistake::DoesNotBuild).saying(log)
+    }
+
+    /// A build that did not end in its time.
+    pub fn build_too_slow(seconds: f64, log: &str) -> Self {
+        let failure = Self::of(Finding::BuildTakesTooLong, Mistake::TooSlow).saying(log);
+        failure.with(Quantity::Seconds, seconds)
+    }
+
+    /// A program that ended with an exit code other than 0.
+    pub fn ends_with_code(code: i32, log: &str) -> Self {
+        let failure = Self::of(Finding::Crashed, Mistake::Crashes).saying(log);
+        failure.with(Quantity::ExitCode, f64::from(code))
+    }
+
+    /// A program that was ended by a signal which nobody sent it.
+    pub fn ends_by_signal(signal: i32, log: &str) -> Self {
+        let failure = Self::of(Finding::Crashed, Mistake::Crashes).saying(log);
+        failure.with(Quantity::Signal, f64::from(signal))
+    }
+
+    /// A program that ended well and wrote nothing.
+    pub fn ends_without_frames(log: &str) -> Self {
+        Self::of(Finding::EndedWithoutFrames, Mistake::EndsWithoutFrames).saying(log)
+    }
+
+    /// A program that wrote too few frames in the time it had.
+    pub fn too_slow(seconds: f64, log: &str) -> Self {
+        let failure = Self::of(Finding::TakesTooLong, Mistake::TooSlow).saying(log);
+        failure.with(Quantity::Seconds, seconds)
+    }
+
+    /// A program that wrote more than there is room for.
+    pub fn output_too_large(bytes: u64) -> Self {
+        let failure = Self::of(Finding::WritesTooMuch, Mistake::OutputTooLarge);
+        failure.with(Quantity::Bytes, bytes as f64)
+    }
+
+    /// A program that was stopped by a limit on memory, processes or processor time.
+    pub fn stopped_by_limits(log: &str) -> Self {
+        Self::of(Finding::Stopped, Mistake::StoppedByLimits).saying(log)
+    }
+
+    /// What the compiler warns of.
+    pub fn warned(log: &str) -> Self {
+        Self::of(Finding::Warned, None).saying(log)
+    }
+
+    /// What a sanitizer reports.
+    pub fn misused(log: &str) -> Self {
+        Self::of(Finding::Misused, None).saying(log)
+    }
+}

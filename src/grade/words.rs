@@ -1,0 +1,215 @@
+//! What reports of grading say: one table of words for each language. A new language is a new
+//! constant; the compiler asks for every entry.
+
+mod english;
+
+use serde::Serialize;
+
+use super::check::Check;
+use super::mistake::Mistake;
+
+pub use self::english::ENGLISH;
+
+/// What a check found amiss.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Finding {
+    /// A file that was asked for is not there.
+    FileMissing,
+    /// make, the compiler or the linker failed.
+    BuildFails,
+    /// The build took too long.
+    BuildTakesTooLong,
+    /// A signal or an exit code other than 0.
+    Crashed,
+    /// It ended and wrote nothing.
+    EndedWithoutFrames,
+    /// It wrote too few frames in the time it has.
+    TakesTooLong,
+    /// It wrote too much.
+    WritesTooMuch,
+    /// It was stopped by a limit on memory, processes or processor time.
+    Stopped,
+    /// The compiler warns.
+    Warned,
+    /// A sanitizer reports.
+    Misused,
+    /// Another number of discs than asked for.
+    CountNotAsked,
+    /// Contacts are much softer than asked.
+    ContactTooSoft,
+    /// Contacts are stiffer than asked.
+    ContactTooStiff,
+    /// An empty file.
+    NothingWritten,
+    /// No line is a disc.
+    NoRows,
+    /// More frames are cut than whole.
+    MostlyTorn,
+    /// NaN or infinity.
+    NotFinite,
+    /// Another number of discs.
+    CountChanges,
+    /// Rows continue each other's paths.
+    OrderChanges,
+    /// A radius that was not asked for.
+    WrongRadius,
+    /// A radius that changes.
+    RadiusChanges,
+    /// A disc too far beyond a wall.
+    LeavesTheBox,
+    /// A disc in a wall at the start.
+    StartsInWall,
+    /// Two discs overlap at the start.
+    StartsOverlapping,
+    /// A constant acceleration, but not the asked one.
+    WrongPull,
+    /// An acceleration that changes in flight.
+    PullNotConstant,
+    /// A wall changes the velocity along it.
+    WallDragsAlong,
+    /// Discs pass through one another.
+    PassThrough,
+    /// Pushes are not equal and opposite.
+    PushesUnequal,
+    /// Pushes are not along the line of centres.
+    PushCrooked,
+    /// Another restitution.
+    WrongRestitution,
+    /// Energy grows.
+    EnergyGrows,
+    /// Energy falls.
+    EnergyFalls,
+}
+
+/// What the reader should know, though it costs nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Note {
+    /// Discs that touch never part: eta_n as the guide prints it.
+    PrintedEta,
+}
+
+/// What a number of a failure is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Lines that are no disc.
+    BadLines,
+    /// Cut frames.
+    TornFrames,
+    /// Discs.
+    Count,
+    /// Discs in the first frame.
+    CountAtStart,
+    /// Radius, m.
+    Radius,
+    /// Depth over radius.
+    DepthOverRadius,
+    /// The largest that is right.
+    LargestDepthOverRadius,
+    /// Second difference of x, m a frame².
+    PullX,
+    /// Second difference of y, m a frame².
+    PullY,
+    /// The usual one of x.
+    UsualPullX,
+    /// The usual one of y.
+    UsualPullY,
+    /// What printing makes of it.
+    Blur,
+    /// Part of the places looked at.
+    Share,
+    /// Change of the speed along a wall over the speed across it.
+    SlipOverSpeed,
+    /// Nearest distance of the undisturbed paths over the sum of radii.
+    Aim,
+    /// Kick of the first disc over the relative speed.
+    KickFirst,
+    /// Kick of the second.
+    KickSecond,
+    /// Change of the relative angular momentum.
+    Twist,
+    /// Median restitution.
+    Restitution,
+    /// The expected one.
+    ExpectedRestitution,
+    /// Change of the energy over the energy.
+    EnergyChange,
+    /// Discs asked for.
+    CountAsked,
+    /// Stiffness of contacts over the rubric's.
+    Stiffness,
+    /// Seconds of wall time.
+    Seconds,
+    /// Exit code.
+    ExitCode,
+    /// Signal.
+    Signal,
+    /// Bytes.
+    Bytes,
+}
+
+/// The words for a check.
+#[derive(Clone, Copy, Debug)]
+pub struct CheckWords {
+    /// What is so if it is passed.
+    pub title: &'static str,
+    /// What is measured, and why.
+    pub explained: &'static str,
+}
+
+/// The words for a finding.
+#[derive(Clone, Copy, Debug)]
+pub struct FindingWords {
+    /// What is seen.
+    pub what: &'static str,
+    /// What should be seen.
+    pub expected: &'static str,
+}
+
+/// The words for a mistake.
+#[derive(Clone, Copy, Debug)]
+pub struct MistakeWords {
+    /// The mistake.
+    pub looks_like: &'static str,
+    /// Where to look; it does not give the answer away.
+    pub hint: &'static str,
+}
+
+/// The words of a language.
+#[derive(Clone, Copy, Debug)]
+pub struct Words {
+    /// Its code.
+    pub code: &'static str,
+    /// Of checks.
+    pub check: fn(Check) -> CheckWords,
+    /// Of findings.
+    pub finding: fn(Finding) -> FindingWords,
+    /// Of numbers, with units.
+    pub quantity: fn(Quantity) -> &'static str,
+    /// Of notes.
+    pub note: fn(Note) -> &'static str,
+    /// Of mistakes.
+    pub mistake: fn(Mistake) -> MistakeWords,
+    /// Before the frame of a failure.
+    pub frame: &'static str,
+    /// Before its discs.
+    pub discs: &'static str,
+    /// Before what was expected.
+    pub expected: &'static str,
+    /// Before the mistake.
+    pub looks_like: &'static str,
+    /// Before the hint.
+    pub hint: &'static str,
+    /// Said of a check that could not be decided.
+    pub not_seen: &'static str,
+    /// Before the failed check that a skipped one hangs on.
+    pub skipped: &'static str,
+    /// After the points: earned, of, and what is left out.
+    pub points: [&'static str; 3],
+    /// Before the numbers of cut and of unevenly spaced frames.
+    pub left_out: [&'static str; 2],
+    /// Before points and needed checks in an explanation.
+    pub worth: [&'static str; 2],
+}

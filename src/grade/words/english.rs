@@ -1,0 +1,206 @@
+//! English.
+
+use super::{CheckWords, Finding, FindingWords, MistakeWords, Note, Quantity, Words};
+use crate::grade::check::Check;
+use crate::grade::mistake::Mistake;
+
+/// English.
+pub const ENGLISH: Words = Words {
+    code: "en",
+    check,
+    finding,
+    quantity,
+    note,
+    mistake,
+    frame: "frame",
+    discs: "disc",
+    expected: "expected",
+    looks_like: "looks like",
+    hint: "hint",
+    not_seen: "not seen: nothing in these frames decides it",
+    skipped: "can't be judged until this is right:",
+    points: ["of", "points", "not judged"],
+    left_out: ["cut frames left out:", "frames at uneven times left out:"],
+    worth: ["points", "asked after"],
+};
+
+#[rustfmt::skip]
+#[allow(clippy::too_many_lines)] // a table
+fn check(check: Check) -> CheckWords {
+    let (title, explained) = match check {
+        Check::Files => ("all files were handed in",
+            "The files that the rubric asks for lie in the folder; links are not followed."),
+        Check::Builds => ("the program can be built",
+            "The build command ends well within its time, and the program to be run is there."),
+        Check::Runs => ("the program runs",
+            "It writes frames, and ends well or goes on until it is stopped: that is no mistake."),
+        Check::Frames => ("out.txt holds frames",
+            "Lines of `x y r`, frames apart by blank lines. CRLF, remarks, a line of names, more \
+             columns and a constant border are forgiven; cut frames are left out and cost nothing."),
+        Check::Discs => ("the same discs in every frame",
+            "As many rows in every frame, in the same order, with finite numbers. Rows that continue \
+             each other's paths have changed places."),
+        Check::Radii => ("radii as asked and constant",
+            "The third column is the radius, one of those that the rubric allows, to the printed digits."),
+        Check::Box => ("nobody leaves the box",
+            "A soft wall lets a disc in: by v/omega0 for the largest speed seen or the fall through the \
+             box, with a third to spare, and twice that if it is more than a radius. Further is outside."),
+        Check::Start => ("nobody overlaps at the start",
+            "In the first frame centres are apart by the sum of radii, and by a radius from walls, up \
+             to the printed digits."),
+        Check::FreeFlight => ("free discs fall, all alike",
+            "While nothing is near, p(k+1) - 2 p(k) + p(k-1) is one constant vector (0, -c), the same for \
+             all discs: exact for every integrator of the course, without knowing the time step. The \
+             tolerance is half a unit of the last printed place, over the square of the frames used."),
+        Check::WallBounce => ("walls push straight",
+            "From the flights before and after a bounce: the velocity along the wall stays as it was. A bounce \
+             that lasts for many frames shows how stiff the wall is, with the time between frames from gravity."),
+        Check::PairCollision => ("two discs push each other equally, along their centres",
+            "From the flights before and after: the sum of the velocities and the relative angular momentum \
+             are the same, whatever the force law. Discs on course for each other must not fly on unmoved, \
+             nor push far more weakly than the rubric's spring."),
+        Check::RestitutionWall => ("bounces on walls give back the right speed",
+            "The median over the bounces on each wall of the speed after over the speed before, at the place of touch."),
+        Check::RestitutionPair => ("collisions give back the right speed",
+            "The median over collisions that are not too oblique of the relative speed along the centres \
+             after over before. What an oblique contact gives back more, by turning, is computed and taken off."),
+        Check::Energy => ("energy is never made",
+            "The sum over discs of v²/2 + c y in free flight, first tenth of the film beside the last: \
+             it never grows, and stays for elastic discs. A trajectory is never compared: two right \
+             programs part after ten collisions."),
+        Check::Many => ("a box of a thousand discs works as well",
+            "A few frames of a second run with 1000 discs: all there, apart at the start, finite, in the box."),
+        Check::Warnings => ("the compiler has nothing to warn of",
+            "Built once more with -Wall -Wextra."),
+        Check::Sanitizer => ("memory and arithmetic are used as the language asks",
+            "Built and run once more with the address and undefined behaviour sanitizers."),
+    };
+    CheckWords { title, explained }
+}
+
+#[rustfmt::skip]
+#[allow(clippy::too_many_lines)] // a table
+fn finding(finding: Finding) -> FindingWords {
+    let (what, expected) = match finding {
+        Finding::FileMissing => ("a file that was asked for is not there", "the files that the assignment names"),
+        Finding::BuildFails => ("the program cannot be built", "a build without errors, and the program under the name asked for"),
+        Finding::BuildTakesTooLong => ("the build did not end in its time", "a build of seconds"),
+        Finding::Crashed => ("the program ended with an error", "exit code 0, or a program that goes on"),
+        Finding::EndedWithoutFrames => ("the program ended and left no frame", "frames in out.txt"),
+        Finding::TakesTooLong => ("the program wrote too few frames in the time it has", "frames one after another"),
+        Finding::WritesTooMuch => ("the program wrote more than there is room for", "frames of some hundred bytes to some hundred kilobytes"),
+        Finding::Stopped => ("the program was stopped by a limit on memory, processes or processor time", "one process and some megabytes"),
+        Finding::Warned => ("the compiler warns", "no warning with -Wall -Wextra"),
+        Finding::Misused => ("a sanitizer reports a fault", "no report"),
+        Finding::CountNotAsked => ("not the number of discs asked for", "every disc, from the first frame on"),
+        Finding::ContactTooSoft => ("contacts push far too weakly: discs sink deep into each other and turn slowly", "the stiffness of the assignment"),
+        Finding::ContactTooStiff => ("contacts push too strongly: discs turn too soon", "the stiffness of the assignment"),
+        Finding::NothingWritten => ("nothing was written", "frames of `x y r` lines"),
+        Finding::NoRows => ("no line is a disc", "lines of three numbers, `x y r`"),
+        Finding::MostlyTorn => ("more frames are cut than whole", "as many rows in every frame"),
+        Finding::NotFinite => ("a number is NaN or infinite", "finite numbers"),
+        Finding::CountChanges => ("the number of discs changes", "every disc in every frame"),
+        Finding::OrderChanges => ("two rows have changed places", "each disc in its own row"),
+        Finding::WrongRadius => ("the third column is not a radius of this assignment", "the radius of the assignment, in m"),
+        Finding::RadiusChanges => ("a radius changes", "the same radius in every frame"),
+        Finding::LeavesTheBox => ("a disc goes further into a wall than its spring lets it", "at most the depth at which the wall's spring has stopped it"),
+        Finding::StartsInWall => ("a disc begins in a wall or outside", "centres at least a radius from every wall"),
+        Finding::StartsOverlapping => ("two discs overlap at the start", "centres at least the sum of radii apart"),
+        Finding::WrongPull => ("discs that meet nobody do not fall as they should", "one constant second difference, (0, -c) with c > 0"),
+        Finding::PullNotConstant => ("the second difference of free discs changes", "the same (0, -c) for every disc at every moment"),
+        Finding::WallDragsAlong => ("a wall changes the velocity along it", "a wall without friction pushes along its normal only"),
+        Finding::PassThrough => ("discs on course for each other fly on as if nobody were there", "a push as soon as their edges touch"),
+        Finding::PushesUnequal => ("two discs do not push each other equally and oppositely", "opposite changes of velocity of the same size"),
+        Finding::PushCrooked => ("discs push each other aside from the line of their centres", "the relative angular momentum as before"),
+        Finding::WrongRestitution => ("the speed after contacts is not what it should be", "the restitution that follows from the assignment"),
+        Finding::EnergyGrows => ("the energy of all discs grows", "energy that stays, or falls with damping"),
+        Finding::EnergyFalls => ("elastic discs lose energy", "energy that stays"),
+    };
+    FindingWords { what, expected }
+}
+
+fn quantity(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::BadLines => "lines that are no disc",
+        Quantity::TornFrames => "cut frames",
+        Quantity::Count => "discs here",
+        Quantity::CountAtStart => "discs at the start",
+        Quantity::Radius => "printed, m",
+        Quantity::DepthOverRadius => "depth, radii",
+        Quantity::LargestDepthOverRadius => "largest depth to be expected, radii",
+        Quantity::PullX => "second difference of x, m a frame²",
+        Quantity::PullY => "second difference of y, m a frame²",
+        Quantity::UsualPullX => "usual one of x",
+        Quantity::UsualPullY => "usual one of y",
+        Quantity::Blur => "what rounding of the digits makes at most",
+        Quantity::Share => "part of the places looked at",
+        Quantity::SlipOverSpeed => "change along the wall over the speed across it",
+        Quantity::Aim => "distance at which they would pass, touching distances",
+        Quantity::KickFirst => "kick of the first, relative speeds",
+        Quantity::KickSecond => "kick of the second, relative speeds",
+        Quantity::Twist => "change of the relative angular momentum, touching distance times speed",
+        Quantity::Restitution => "median restitution e",
+        Quantity::ExpectedRestitution => "expected e",
+        Quantity::EnergyChange => "change of the energy, parts of it",
+        Quantity::CountAsked => "discs asked for",
+        Quantity::Stiffness => "stiffness, parts of the one asked for",
+        Quantity::Seconds => "time, s",
+        Quantity::ExitCode => "exit code",
+        Quantity::Signal => "signal",
+        Quantity::Bytes => "written, bytes",
+    }
+}
+
+fn note(note: Note) -> &'static str {
+    match note {
+        Note::PrintedEta => {
+            "discs that touch never part. That is what eta_n = 1.5e3 of the guide does if it is taken in \
+             kg/s: 150 times critical damping. You did as told, and no points are lost; we think a minus \
+             sign was lost in print. Try 1.5e-3 and see discs bounce."
+        }
+    }
+}
+
+#[rustfmt::skip]
+#[allow(clippy::too_many_lines)] // a table
+fn mistake(mistake: Mistake) -> MistakeWords {
+    let (looks_like, hint) = match mistake {
+        Mistake::NoMakefile => ("a Makefile that was forgotten, or has another name", "list the folder as you handed it in: is it as the assignment says?"),
+        Mistake::DoesNotBuild => ("a program that was changed after it was last built", "read the first error, not the last; build in a fresh copy of the folder"),
+        Mistake::Crashes => ("an access outside of what was reserved, or an error that nobody catches", "run it in a debugger, or build it with -fsanitize=address: where does it stop?"),
+        Mistake::EndsWithoutFrames => ("a loop over frames that is never entered, or another name of the file", "print the number of frames to be written before the loop begins"),
+        Mistake::TooSlow => ("a loop that waits or never ends", "which loop has an end that may never come?"),
+        Mistake::OutputTooLarge => ("a file that grows without end", "when is out.txt begun anew?"),
+        Mistake::StoppedByLimits => ("memory or processes without bound", "what is reserved in a loop, and how often?"),
+        Mistake::ForceOverWrongMass => ("a contact force over another mass than the disc's, or over none", "from force to acceleration: what does Newton's second law divide by, for every force?"),
+        Mistake::NormalNotNormalised => ("a normal that is not of length 1", "what is the length of the vector that you multiply the overlap with?"),
+        Mistake::ForceAppliedTwice => ("a force that each pair feels twice", "how often does your loop meet discs 3 and 7?"),
+        Mistake::EmptyFile => ("a file that was opened and never filled", "is the loop that writes ever reached, and the file closed or flushed?"),
+        Mistake::NoFrames => ("a file of another name, or remarks only", "what is the file called that your program opens?"),
+        Mistake::WrongColumns => ("another number of columns than three", "open out.txt: what stands in a line, and what does gnuplot want there?"),
+        Mistake::FrameTorn => ("frames that end before their time", "does every frame run over all discs?"),
+        Mistake::NotANumber => ("a division by zero or a root of something negative", "which denominator can be zero, and for which two discs?"),
+        Mistake::DiscLost => ("a disc that is removed or not printed", "which condition decides whether a disc is printed?"),
+        Mistake::DiscOrderChanges => ("discs that are sorted or swapped between frames", "does anything reorder the discs, or copy one over another?"),
+        Mistake::DiameterAsRadius => ("the diameter in place of the radius", "what does `with circles` take as its third column?"),
+        Mistake::PlacedOverlapping => ("discs placed without looking at those already there", "what should happen when a random place is taken?"),
+        Mistake::PlacedOutside => ("a random place drawn from the whole box for the centre", "how near to a wall may a centre be?"),
+        Mistake::WallMissing => ("a wall that does nothing", "four walls: which one does this disc pass, and who pushes it back?"),
+        Mistake::InwardWallNormal => ("a wall that draws discs out", "draw the normal n of Eq. (1) at this wall: which way does a positive overlap push?"),
+        Mistake::WallAtCentre => ("a wall that is felt by the centre, not by the edge", "when does a disc touch a wall: where is its centre then?"),
+        Mistake::GravitySign => ("gravity upward", "which way does your y axis point?"),
+        Mistake::GravityMissing => ("no gravity", "list the forces on a disc that touches nobody"),
+        Mistake::GravitySideways => ("gravity along another axis", "which component does gravity belong to?"),
+        Mistake::FrictionInFlight => ("something that brakes free discs", "which force acts although nothing is touched, and on which velocity does it hang?"),
+        Mistake::TimeStepNotConstant => ("frames that are not equally far apart in time", "how many steps lie between two frames, and is each step as long as the others?"),
+        Mistake::ForceOnOneDiscOnly => ("a force that one disc feels and its partner does not", "what does Newton's third law say about the second disc?"),
+        Mistake::ContactAtOneRadius => ("a contact that begins only when centres are a radius apart", "two discs touch: how far apart are their centres?"),
+        Mistake::Tunnelling => ("contacts that are never noticed, or pushes far too small", "how far does a disc go in one step, compared to its radius? what length has your normal?"),
+        Mistake::ExplicitEuler => ("a position that is updated with the old velocity", "in Eq. (3), which velocity moves the disc, and is it there already when you use it?"),
+        Mistake::DampingSign => ("a dashpot that pushes where it should brake", "two discs come nearer: which sign has v_rn then, and which way should the dashpot act?"),
+        Mistake::EnergyPump => ("something that makes energy", "follow one disc through one contact: how much work is done on the way in, how much on the way out?"),
+        Mistake::EnergyLostElastic => ("something that takes energy though nothing should", "which term of the force hangs on a velocity?"),
+        Mistake::RestitutionWrong => ("another damping than asked", "compare k_n, eta_n and the mass in your contact with the assignment's"),
+    };
+    MistakeWords { looks_like, hint }
+}

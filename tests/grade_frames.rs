@@ -1,0 +1,237 @@
+//! Grading frames: right programs lose nothing, a bug costs the right check and is named.
+#![allow(clippy::too_many_lines)] // tables of cases
+
+mod support;
+
+use std::fmt::Write as _;
+use std::fs;
+
+use parsim2d::grade::check::Check;
+use parsim2d::grade::grade;
+use parsim2d::grade::mistake::Mistake;
+use parsim2d::grade::rubric::Rubric;
+use proptest::prelude::*;
+
+#[path = "support/runs.rs"]
+mod runs;
+#[path = "support/student.rs"]
+mod student;
+
+use runs::{outcome, text};
+use student::{Bug, Program, damped, elastic, lost};
+
+#[test]
+fn right_programs_lose_nothing_and_every_check_is_seen() {
+    for seed in 1..6 {
+        for (eta, rubric) in [(0.0, elastic()), (0.7, damped())] {
+            let report = grade(
+                Program { eta, ..Program::new(Bug::None, seed) }.output().as_bytes(),
+                &rubric,
+            );
+            assert_eq!(lost(&report), [], "seed {seed}, eta {eta}: {:#?}", report.checks);
+            // A pair's restitution needs two straight hits with nobody else near: one seed has one.
+            assert!(report.open() <= 1.0, "seed {seed}, eta {eta}: {:#?}", report.checks);
+        }
+    }
+}
+
+#[test]
+fn each_bug_costs_the_right_check_and_is_named() {
+    use Check as C;
+    use Mistake as M;
+    let cases = [
+        (Bug::ExplicitEuler, C::Energy, M::ExplicitEuler),
+        (Bug::GravitySign, C::FreeFlight, M::GravitySign),
+        (Bug::GravityMissing, C::FreeFlight, M::GravityMissing),
+        (Bug::GravitySideways, C::FreeFlight, M::GravitySideways),
+        (Bug::WallMissing, C::Box, M::WallMissing),
+        (Bug::InwardWallNormal, C::Box, M::InwardWallNormal),
+        (Bug::WallAtCentre, C::Box, M::WallAtCentre),
+        (Bug::OneDiscOnly, C::PairCollision, M::ForceOnOneDiscOnly),
+        (Bug::ContactAtOneRadius, C::PairCollision, M::ContactAtOneRadius),
+        (Bug::NoPairContact, C::PairCollision, M::Tunnelling),
+        (Bug::PlacedOverlapping, C::Start, M::PlacedOverlapping),
+        (Bug::PlacedInWall, C::Start, M::PlacedOutside),
+        (Bug::Diameter, C::Radii, M::DiameterAsRadius),
+        (Bug::NotANumber, C::Discs, M::NotANumber),
+        (Bug::DiscLost, C::Discs, M::DiscLost),
+        (Bug::OrderChanges, C::Discs, M::DiscOrderChanges),
+        (Bug::Friction, C::FreeFlight, M::FrictionInFlight),
+        (Bug::UnevenFrames, C::FreeFlight, M::TimeStepNotConstant),
+        (Bug::DampingSign, C::RestitutionWall, M::DampingSign),
+        (Bug::TooMuchDamping, C::RestitutionWall, M::EnergyLostElastic),
+        (Bug::ForceOverWrongMass, C::Box, M::ForceOverWrongMass),
+        (Bug::NormalNotNormalised, C::PairCollision, M::NormalNotNormalised),
+        (Bug::ForceAppliedTwice, C::RestitutionPair, M::ForceAppliedTwice),
+        (Bug::DashpotAtFloorOnly, C::RestitutionWall, M::EnergyLostElastic),
+    ];
+    let mut wrong = 0;
+    println!("{:>20}  {:<34}  lost, three seeds (check:cause xN)", "bug", "expected");
+    for (bug, check, cause) in cases {
+        let is_damped = matches!(bug, Bug::DampingSign | Bug::ForceAppliedTwice);
+        let (eta, rubric) = if is_damped { (0.7, damped()) } else { (0.0, elastic()) };
+        let mut seen: Vec<(String, usize)> = Vec::new();
+        for seed in 1..4 {
+            let report =
+                grade(Program { eta, ..Program::new(bug, seed) }.output().as_bytes(), &rubric);
+            // The same mistake shows at walls and in pairs: both restitutions may be lost.
+            let expected = |(c, m): &(Check, Option<Mistake>)| {
+                let twin = check == C::RestitutionWall && *c == C::RestitutionPair;
+                (*c == check || twin) && *m == Some(cause)
+            };
+            let lost = lost(&report);
+            wrong += usize::from(!lost.iter().all(expected) || lost.is_empty());
+            let said =
+                lost.iter().map(|(c, m)| format!("{}:{}", c.id(), m.map_or("-".into(), M::id)));
+            let said = said.collect::<Vec<_>>().join(" ");
+            match seen.iter_mut().find(|(known, _)| *known == said) {
+                Some((_, count)) => *count += 1,
+                None => seen.push((said, 1)),
+            }
+        }
+        let seen = seen.iter().map(|(said, count)| format!("{said} x{count}"));
+        let expected = format!("{}:{}", check.id(), cause.id());
+        println!(
+            "{:>20}  {expected:<34}  {}",
+            format!("{bug:?}"),
+            seen.collect::<Vec<_>>().join(", ")
+        );
+    }
+    assert_eq!(wrong, 0, "of 72; the table above says which");
+}
+
+#[test]
+fn parsim2d_itself_loses_nothing() {
+    let base = ["--restitution 1", "--eta 1.5e-3", "--restitution 0.7"];
+    let rubrics =
+        [elastic(), Rubric::default(), Rubric { restitution: Some(0.7), ..Rubric::default() }];
+    let cases = [
+        "-n 20 --radius 1e-4",
+        "-n 20 --radius 5e-4 --speed 0.5",
+        "-n 300 --radius 1e-4",
+        "-n 300 --radius 1e-4 --speed 0.5 --every 40 --time 50ms",
+        "-n 20 --radius 5e-4 --every 1 --time 20ms",
+        "-n 20 --radius 5e-4 --every 7 --time 50ms --speed 0.3",
+        "-n 60 --radius 5e-4 --every 100 --speed 0.5",
+    ];
+    for case in cases {
+        let manners = [(1, "symplectic-euler"), (2, "velocity-verlet"), (3, "symplectic-euler")];
+        for ((damping, rubric), (seed, integrator)) in base.iter().zip(&rubrics).zip(manners) {
+            let folder = tempfile::tempdir().unwrap();
+            let time = if case.contains("--time") { "" } else { "--time 0.5" };
+            let arguments =
+                format!("{case} {damping} --seed {seed} --integrator {integrator} {time} -q");
+            let run = outcome(folder.path(), &arguments);
+            assert!(run.status.success(), "{arguments}: {}", text(&run.stderr));
+            let report = grade(&fs::read(folder.path().join("trajectory.txt")).unwrap(), rubric);
+            assert_eq!(lost(&report), [], "{arguments}: {:#?}", report.checks);
+            assert!(report.passed(Check::FreeFlight), "{arguments}: {:#?}", report.checks);
+            assert_eq!(report.percent(), 100.0, "{arguments}");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_mistake_costs_nothing() {
+    let plain = Program::new(Bug::None, 3).output();
+    let lines = |change: &dyn Fn(&str) -> String| plain.lines().map(change).collect::<String>();
+    let each = |more: &'static str| {
+        move |line: &str| match line {
+            "" => "\n".to_owned(),
+            line => format!("{line}{more}\n"),
+        }
+    };
+    let frames: Vec<&str> = plain.split("\n\n").collect();
+    let border = "0 0.01 0.01\n0.04 0.02 0.01\n0.02 -0.01 0.01";
+    // Somewhere in a line; half of 20 lines would be the end of one.
+    let cut = |frame: &str| frame[..frame.len() * 4 / 9].to_owned();
+    let cases = [
+        ("CRLF", plain.replace('\n', "\r\n")),
+        ("more columns", lines(&each(" 0.5 0.25 red"))),
+        ("commas", plain.replace(' ', ", ")),
+        ("no blank lines", plain.replace("\n\n", "\n")),
+        ("names", format!("x y r\n{plain}")),
+        ("remarks for blank lines", plain.replace("\n\n", "\n# frame\n")),
+        (
+            "a border",
+            frames.iter().filter(|f| !f.is_empty()).map(|f| format!("{f}\n{border}\n\n")).collect(),
+        ),
+        (
+            "every tenth frame cut",
+            frames
+                .iter()
+                .enumerate()
+                .map(|(k, f)| if k % 10 == 5 { cut(f) + "\n\n" } else { format!("{f}\n\n") })
+                .collect(),
+        ),
+        (
+            "every tenth frame gone",
+            frames
+                .iter()
+                .enumerate()
+                .filter(|(k, _)| k % 10 != 5)
+                .map(|(_, f)| format!("{f}\n\n"))
+                .collect(),
+        ),
+        ("the last frame sooner", format!("{plain}{}", frames[frames.len() - 2])),
+    ];
+    let rubric = Rubric { n: vec![20], ..elastic() };
+    for (what, text) in cases {
+        let report = grade(text.as_bytes(), &rubric);
+        assert_eq!(lost(&report), [], "{what}: {:#?}", report.checks);
+        assert_eq!(report.discs, 20, "{what}");
+        assert!(report.passed(Check::FreeFlight), "{what}: {:#?}", report.checks);
+    }
+}
+
+#[test]
+fn a_file_that_is_no_film_says_what_is_wrong_with_it() {
+    let plain = Program::new(Bug::None, 1).output();
+    let together = plain.replace("\n\n", "");
+    let dips = |text: &str| {
+        let frames = text.split("\n\n").enumerate().map(|(k, frame)| match k % 3 {
+            1 => frame.split_once('\n').map_or("", |(_, rest)| rest),
+            _ => frame,
+        });
+        frames.map(|frame| format!("{frame}\n\n")).collect::<String>()
+    };
+    use Check::{Discs, Frames};
+    for (what, text, check, cause) in [
+        ("commas alone", plain.replace(' ', ","), Frames, Mistake::WrongColumns),
+        ("words", "these are\nno numbers\n".repeat(9), Frames, Mistake::WrongColumns),
+        ("remarks", "# t = 0\n\n\n# t = 1\n".into(), Frames, Mistake::NoFrames),
+        ("rows that run together", together, Frames, Mistake::FrameTorn),
+        ("a disc that comes and goes", dips(&plain), Discs, Mistake::DiscLost),
+    ] {
+        let report = grade(text.as_bytes(), &elastic());
+        assert_eq!(lost(&report), [(check, Some(cause))], "{what}");
+    }
+    let short = Rubric { n: vec![21], ..elastic() };
+    let report = grade(plain.as_bytes(), &short);
+    assert_eq!(lost(&report), [(Discs, Some(Mistake::DiscLost))], "20 where 21 are asked for");
+}
+
+proptest! {
+    #![proptest_config(support::steady())]
+
+    /// Bytes of any kind, and numbers in any disorder, give a report of every check.
+    #[test]
+    fn no_bytes_make_the_grader_fall_over(
+        bytes in proptest::collection::vec(any::<u8>(), 0..400),
+        rows in proptest::collection::vec((any::<f64>(), -0.01..0.05f64, -1e-3..1e-3f64, 0..9u8), 0..120),
+    ) {
+        prop_assert_eq!(grade(&bytes, &elastic()).checks.len(), 11);
+        let mut text = String::new();
+        for (wild, x, r, kind) in rows {
+            match kind {
+                0 => text.push_str("\n\n"),
+                1 => writeln!(text, "{wild} {x} {r}").unwrap(),
+                2 => writeln!(text, "{x} {r}").unwrap(),
+                _ => writeln!(text, "{x} {x} {r}").unwrap(),
+            }
+        }
+        for rubric in [elastic(), Rubric { n: vec![1, 2, 3], ..damped() }] {
+            prop_assert_eq!(grade(text.as_bytes(), &rubric).checks.len(), 11);
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! The guide's program as a student writes it, right or with one bug.
+#![allow(dead_code)] // not every test uses all of it
+
+use std::fmt::Write as _;
+
+use parsim2d::grade::check::Check;
+use parsim2d::grade::mistake::Mistake;
+use parsim2d::grade::rubric::Rubric;
+use parsim2d::grade::verdict::Report;
+
+/// A bug of the little program below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bug {
+    None,
+    ExplicitEuler,
+    GravitySign,
+    GravityMissing,
+    GravitySideways,
+    WallMissing,
+    InwardWallNormal,
+    WallAtCentre,
+    OneDiscOnly,
+    ContactAtOneRadius,
+    NoPairContact,
+    PlacedOverlapping,
+    PlacedInWall,
+    Diameter,
+    NotANumber,
+    DiscLost,
+    OrderChanges,
+    Friction,
+    UnevenFrames,
+    DampingSign,
+    TooMuchDamping,
+    ForceOverWrongMass,
+    NormalNotNormalised,
+    ForceAppliedTwice,
+    DashpotAtFloorOnly,
+}
+
+/// The guide's program as a student writes it: two loops, Eq. (1) to (3).
+pub struct Program {
+    pub bug: Bug,
+    pub n: usize,
+    pub radius: f64,
+    pub eta: f64,
+    pub every: usize,
+    pub frames: usize,
+    pub seed: u64,
+}
+
+const STIFFNESS: f64 = 5e4;
+const MASS: f64 = 1e-3;
+const SIDE: f64 = 0.04;
+/// Eq. (2) with N_t = 30.
+const DT: f64 = 1.480_960_979_386_122e-5;
+
+type Disc = [f64; 4]; // x y vx vy
+
+impl Program {
+    pub fn new(bug: Bug, seed: u64) -> Self {
+        Self { bug, n: 20, radius: 5e-4, eta: 0.0, every: 60, frames: 400, seed }
+    }
+
+    fn random(&mut self) -> f64 {
+        self.seed = self.seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.seed >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn place(&mut self) -> Vec<Disc> {
+        let mut discs: Vec<Disc> = Vec::new();
+        let r = self.radius;
+        let margin = if self.bug == Bug::PlacedInWall { 0.0 } else { 1.01 * r };
+        while discs.len() < self.n {
+            let x = margin + (SIDE - 2.0 * margin) * self.random();
+            let y = margin + (SIDE - 2.0 * margin) * self.random();
+            let v = [self.random() - 0.5, self.random() - 0.5];
+            let is_free = |d: &Disc| (d[0] - x).hypot(d[1] - y) > 2.02 * r;
+            if discs.iter().all(is_free) {
+                discs.push([x, y, v[0], v[1]]);
+            }
+        }
+        match self.bug {
+            Bug::PlacedOverlapping => {
+                let beside = [discs[0][0] + r, discs[0][1]];
+                discs[1][..2].copy_from_slice(&beside);
+            }
+            Bug::PlacedInWall => discs[3][0] = 0.3 * r,
+            _ => {}
+        }
+        discs
+    }
+
+    fn forces(&self, discs: &[Disc]) -> Vec<[f64; 2]> {
+        let g = match self.bug {
+            Bug::GravitySign => [0.0, 9.81],
+            Bug::GravityMissing => [0.0, 0.0],
+            Bug::GravitySideways => [9.81, 0.0],
+            _ => [0.0, -9.81],
+        };
+        let mut forces: Vec<[f64; 2]> = vec![[MASS * g[0], MASS * g[1]]; discs.len()];
+        let eta = match self.bug {
+            Bug::DampingSign => -self.eta,
+            Bug::TooMuchDamping => 2.0,
+            Bug::DashpotAtFloorOnly => 0.0,
+            _ => self.eta,
+        };
+        self.pairs(discs, eta, &mut forces);
+        let reach = if self.bug == Bug::WallAtCentre { 0.0 } else { self.radius };
+        for (disc, force) in discs.iter().zip(&mut forces) {
+            for (axis, high) in [(0, false), (0, true), (1, false), (1, true)] {
+                let sign = if high { 1.0 } else { -1.0 }; // of the normal, to the wall
+                let depth = reach - if high { SIDE - disc[axis] } else { disc[axis] };
+                let is_floor = axis == 1 && !high;
+                let eta = if self.bug == Bug::DashpotAtFloorOnly && is_floor { 1.0 } else { eta };
+                let push = -STIFFNESS * depth * sign - eta * disc[axis + 2];
+                if depth > 0.0 {
+                    force[axis] += match self.bug {
+                        Bug::WallMissing => 0.0,
+                        Bug::InwardWallNormal => -push,
+                        Bug::ForceOverWrongMass => MASS * push,
+                        _ => push,
+                    };
+                }
+            }
+            if self.bug == Bug::Friction {
+                force[0] -= 5e-3 * disc[2];
+                force[1] -= 5e-3 * disc[3];
+            }
+        }
+        forces
+    }
+
+    fn pairs(&self, discs: &[Disc], eta: f64, forces: &mut [[f64; 2]]) {
+        let reach = match self.bug {
+            Bug::ContactAtOneRadius => self.radius,
+            Bug::NoPairContact => 0.0,
+            _ => 2.0 * self.radius,
+        };
+        for i in 0..discs.len() {
+            for j in i + 1..discs.len() {
+                let way = [discs[j][0] - discs[i][0], discs[j][1] - discs[i][1]];
+                let distance = way[0].hypot(way[1]);
+                if distance >= reach || distance == 0.0 {
+                    continue;
+                }
+                let length = if self.bug == Bug::NormalNotNormalised { 1.0 } else { distance };
+                let n = [way[0] / length, way[1] / length];
+                let v = (discs[i][2] - discs[j][2]) * n[0] + (discs[i][3] - discs[j][3]) * n[1];
+                let push = STIFFNESS * (reach - distance) + eta * v;
+                let push = match self.bug {
+                    Bug::ForceOverWrongMass => MASS * push,
+                    Bug::ForceAppliedTwice => 2.0 * push,
+                    _ => push,
+                };
+                for axis in 0..2 {
+                    forces[i][axis] -= push * n[axis];
+                    if self.bug != Bug::OneDiscOnly {
+                        forces[j][axis] += push * n[axis];
+                    }
+                }
+            }
+        }
+    }
+
+    fn step(&self, discs: &mut [Disc]) {
+        let forces = self.forces(discs);
+        for (disc, force) in discs.iter_mut().zip(forces) {
+            for axis in 0..2 {
+                let old = disc[axis + 2];
+                disc[axis + 2] += force[axis] / MASS * DT;
+                let mover = if self.bug == Bug::ExplicitEuler { old } else { disc[axis + 2] };
+                disc[axis] += mover * DT;
+            }
+        }
+    }
+
+    /// What it writes: six significant digits, as C++ streams do.
+    pub fn output(mut self) -> String {
+        let mut discs = self.place();
+        let mut out = String::new();
+        let printed = if self.bug == Bug::Diameter { 2.0 * self.radius } else { self.radius };
+        for frame in 0..self.frames {
+            if self.bug == Bug::OrderChanges && frame % 40 == 20 {
+                discs.swap(0, 1);
+            }
+            if self.bug == Bug::DiscLost && frame == 100 {
+                discs.pop();
+            }
+            for (i, disc) in discs.iter().enumerate() {
+                let x = if self.bug == Bug::NotANumber && frame == 50 && i == 7 {
+                    f64::NAN
+                } else {
+                    disc[0]
+                };
+                writeln!(out, "{} {} {}", general(x), general(disc[1]), general(printed)).unwrap();
+            }
+            out.push('\n');
+            let more = self.bug == Bug::UnevenFrames && self.random() < 0.5;
+            for _ in 0..if more { 2 * self.every } else { self.every } {
+                self.step(&mut discs);
+            }
+        }
+        out
+    }
+}
+
+/// Six significant digits without trailing zeros.
+fn general(value: f64) -> String {
+    format!("{value:.5e}").parse::<f64>().unwrap().to_string()
+}
+
+pub fn elastic() -> Rubric {
+    Rubric { restitution: Some(1.0), ..Rubric::default() }
+}
+
+/// eta = 0.7 kg/s: e = 0.855 at a wall, 0.800 for a pair.
+pub fn damped() -> Rubric {
+    Rubric { eta: 0.7, ..Rubric::default() }
+}
+
+pub fn lost(report: &Report) -> Vec<(Check, Option<Mistake>)> {
+    report.failures().map(|(check, failure)| (check, failure.cause)).collect()
+}
