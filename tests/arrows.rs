@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 19] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -35,7 +35,8 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
     ("page", &["analysis", "output", "figure", "scenario"]),
     ("grade", &["analysis", "figure"]),
-    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade"]),
+    ("sheet", &["figure", "grade", "output", "page"]),
+    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade", "sheet"]),
     ("main", &[]),
     ("lib", &[]),
 ];
