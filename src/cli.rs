@@ -108,7 +108,7 @@ enum Command {
     Drift(Box<drift::DriftArguments>),
     /// Grade frames that a program wrote: points, causes and hints
     #[command(after_help = grade::EXAMPLES)]
-    Grade(grade::GradeArguments),
+    Grade(Box<grade::GradeArguments>),
     /// Draw what a run wrote: SVG, animated GIF, and gnuplot scripts
     Plot(Box<plot::PlotArguments>),
     /// Write one HTML page of a run, to hand in: parameters, diagnosis, pictures
@@ -167,11 +167,11 @@ impl Failure {
             Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong { .. } => {
                 ExitCode::FAILURE
             }
-            Self::Grade(error) => ExitCode::from(error.exit_code()),
             Self::Scenario(_)
             | Self::Output(_)
             | Self::Plot(_)
             | Self::Report(_)
+            | Self::Grade(_)
             | Self::Refused(_)
             | Self::UnknownCommand { .. } => ExitCode::from(2),
         }

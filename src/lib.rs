@@ -47,6 +47,7 @@ pub mod page;
 pub mod particle;
 pub mod placement;
 pub mod scenario;
+pub mod sheet;
 pub mod simulation;
 pub mod work;
 pub mod workshop;

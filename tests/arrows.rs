@@ -36,7 +36,8 @@ const ARROWS: [(&str, &[&str]); 19] = [
     ("page", &["analysis", "output", "figure", "scenario"]),
     ("workshop", &[]),
     ("grade", &["analysis", "figure"]),
-    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade"]),
+    ("sheet", &["figure", "grade", "output", "page"]),
+    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade", "sheet"]),
     ("main", &[]),
     ("lib", &[]),
 ];

@@ -1,0 +1,124 @@
+//! The flags of `parsim2d grade`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::sheet::folder::Format;
+
+#[derive(Args)]
+pub(in crate::cli) struct GradeArguments {
+    /// Files of frames, `x y r` a line, blank lines between frames
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    #[arg(required_unless_present_any = ["explain", "init_rubric"])]
+    #[arg(conflicts_with_all = ["explain", "init_rubric"])]
+    pub frames: Vec<PathBuf>,
+    /// The numbers and points of the course
+    #[arg(long, value_name = "RUBRIC.toml")]
+    pub rubric: Option<PathBuf>,
+    #[command(flatten)]
+    pub sheets: SheetArguments,
+    /// Exit with 1 if a submission has less
+    #[arg(long, value_name = "PERCENT", requires = "frames", value_parser = percent)]
+    pub fail_under: Option<f64>,
+    /// Submissions graded at once [default: as many as there are processors]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Say what a check measures, and why
+    #[arg(long, value_name = "CHECK")]
+    pub explain: Option<String>,
+    /// Print a commented rubric with the usual numbers
+    #[arg(long)]
+    pub init_rubric: bool,
+}
+
+impl GradeArguments {
+    /// Submissions graded at once.
+    pub fn jobs(&self) -> usize {
+        let processors = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.jobs.map_or_else(processors, usize::from)
+    }
+}
+
+/// In which formats results are written, and where to.
+#[derive(Args)]
+pub(in crate::cli) struct SheetArguments {
+    /// One JSON object for each submission, in a list; the same as --format json
+    #[arg(long, requires = "frames")]
+    pub json: bool,
+    /// How results are written; more than one with --out-dir
+    #[arg(long, value_name = "FORMAT", requires = "frames", conflicts_with = "json")]
+    pub format: Vec<Named>,
+    /// With a small picture of each failure, as SVG in the JSON
+    #[arg(long, requires = "frames")]
+    pub pictures: bool,
+    /// Write a page and a JSON file for each submission, and class.html, class.csv, class.json, as each ends
+    #[arg(long, value_name = "FOLDER", requires = "frames")]
+    pub out_dir: Option<PathBuf>,
+    /// Write to a file, which appears whole, in place of standard output
+    #[arg(long, value_name = "FILE", requires = "frames", conflicts_with = "out_dir")]
+    pub out: Option<PathBuf>,
+}
+
+impl SheetArguments {
+    /// The formats asked for, each once; none if none was named.
+    pub fn formats(&self) -> Vec<Format> {
+        let mut formats = if self.json { vec![Format::Json] } else { Vec::new() };
+        for named in &self.format {
+            if !formats.contains(&named.format()) {
+                formats.push(named.format());
+            }
+        }
+        formats
+    }
+}
+
+/// A format by its name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(in crate::cli) enum Named {
+    /// For a terminal
+    Text,
+    /// Our own, with stable ids
+    Json,
+    /// A page for a student, or of the class if there are more
+    Html,
+    /// A table of the class
+    Csv,
+    /// Gradescope's results.json
+    Gradescope,
+    /// Classroom 50's result.json
+    Classroom50,
+    /// JUnit XML: GitLab, GitHub, Jenkins, CodeGrade
+    Junit,
+    /// What Moodle's VPL reads
+    Vpl,
+    /// JSON in the manner of check50
+    Check50,
+    /// What CodeGrade reads from file descriptor 3
+    Codegrade,
+}
+
+impl Named {
+    fn format(self) -> Format {
+        match self {
+            Self::Text => Format::Text,
+            Self::Json => Format::Json,
+            Self::Html => Format::Html,
+            Self::Csv => Format::Csv,
+            Self::Gradescope => Format::Gradescope,
+            Self::Classroom50 => Format::Classroom50,
+            Self::Junit => Format::Junit,
+            Self::Vpl => Format::Vpl,
+            Self::Check50 => Format::Check50,
+            Self::Codegrade => Format::Codegrade,
+        }
+    }
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    match (0.0..=100.0).contains(&value) {
+        true => Ok(value),
+        false => Err("per cent, 0 to 100".to_owned()),
+    }
+}

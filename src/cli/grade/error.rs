@@ -1,0 +1,28 @@
+//! Why nothing was graded.
+
+use std::path::PathBuf;
+
+use crate::grade::check::Check;
+
+/// Why nothing was graded: bad usage, every time.
+#[derive(Debug, thiserror::Error)]
+pub(in crate::cli) enum GradeError {
+    #[error("the rubric {} cannot be used: {why}\n  way out: parsim2d grade --init-rubric prints one to begin with", path.display())]
+    Rubric { path: PathBuf, why: String },
+    #[error("there is no check `{id}`; checks are {}", ids().join(", "))]
+    Check { id: String },
+    #[error(
+        "--format {format} is one file for one submission, and there are {count}\n  way out: --out-dir FOLDER"
+    )]
+    OneOnly { format: String, count: usize },
+    #[error(
+        "{count} formats do not fit in one stream\n  way out: --out-dir FOLDER, or one --format"
+    )]
+    ManyFormats { count: usize },
+    #[error("{key}={value} is not a number\n  way out: leave it out, or set what VPL sets")]
+    Scale { key: &'static str, value: String },
+}
+
+fn ids() -> Vec<&'static str> {
+    Check::ALL.into_iter().map(Check::id).collect()
+}
