@@ -13,7 +13,8 @@
 //! Reading order, an hour in all: [`particle`], [`simulation`], [`integrator`], [`force`]. Then
 //! what they rest on ([`placement`], [`neighbours`], [`work`]), what is read off a run
 //! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
-//! the report of a run ([`page`]), the grading of what other programs wrote ([`grade`]) and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
+//! the report of a run ([`page`]), the grading of what other programs wrote ([`grade`]), what is written of
+//! it ([`sheet`]) and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
 //!
 //! SI units and f64 throughout.
 //!
