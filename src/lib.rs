@@ -13,8 +13,9 @@
 //! Reading order, an hour in all: [`particle`], [`simulation`], [`integrator`], [`force`]. Then
 //! what they rest on ([`placement`], [`neighbours`], [`work`]), what is read off a run
 //! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
-//! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]), how students' programs are built and run
-//! ([`workshop`]), and the command line ([`cli`]). Arrows between them go one way; `tests/arrows.rs` guards them.
+//! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]) and told ([`sheet`]), how students'
+//! programs are built and run ([`workshop`]) and marked ([`marking`]), and the command line ([`cli`]). Arrows between them go
+//! one way; `tests/arrows.rs` guards them.
 //!
 //! SI units and f64 throughout.
 //!

@@ -5,7 +5,6 @@ use serde_json::{Value, json};
 
 use super::Graded;
 use super::words::Words;
-use crate::grade::check::Check;
 use crate::grade::verdict::Status;
 
 /// What a whole submission is worth: scores are whole numbers there.
@@ -24,7 +23,7 @@ pub struct Classroom {
     pub commit: String,
     /// `RELEASE_URL`.
     pub release: String,
-    /// `REVIEW_URL`.
+    /// `REVIEW_URL`; the commit's if there is none.
     pub review: String,
     /// When it was graded.
     pub datetime: String,
@@ -37,7 +36,7 @@ pub fn classroom50(graded: &Graded, classroom: &Classroom, words: &Words) -> Val
     let scores: Vec<(f64, f64)> =
         report.checks.iter().map(|(check, status)| report.score(*check, status)).collect();
     let most = shared(&scores.iter().map(|(earned, lost)| earned + lost).collect::<Vec<_>>());
-    let (mut score, mut tests) = (0, Vec::new());
+    let (mut tests, mut later) = (Vec::new(), (0, 0));
     for (((check, status), (earned, lost)), most) in report.checks.iter().zip(&scores).zip(&most) {
         let own = match status {
             Status::Passed => *most,
@@ -45,11 +44,19 @@ pub fn classroom50(graded: &Graded, classroom: &Classroom, words: &Words) -> Val
             _ if *earned > 0.0 => (f64::from(*most) * earned / (earned + lost) + 1e-9) as u32,
             _ => 0,
         };
-        score += own;
-        if graded.shown(true).any(|(shown, _)| shown == check) && earned + lost > 0.0 {
-            tests.push(test(*check, status, own, *most, words));
+        if graded.shown(true).any(|(shown, _)| shown == check) {
+            let title = format!("{}: {}", check.id(), (words.grade.check)(*check).title);
+            tests.push((title, *status == Status::Passed, own, *most));
+        } else {
+            later = (later.0 + own, later.1 + most);
         }
     }
+    // Scores must be the sums of the tests': what is not shown goes into one.
+    tests.push((words.hidden_test.to_owned(), later.0 == later.1, later.0, later.1));
+    tests.retain(|(.., most)| *most > 0);
+    let score: u32 = tests.iter().map(|(.., own, _)| own).sum();
+    let most: u32 = tests.iter().map(|(.., most)| most).sum();
+    let review = [&classroom.review, &classroom.commit];
     json!({
         "schema": "classroom50/result/v1",
         "classroom": classroom.classroom,
@@ -57,21 +64,27 @@ pub fn classroom50(graded: &Graded, classroom: &Classroom, words: &Words) -> Val
         "submission": classroom.submission,
         "commit": classroom.commit,
         "release": classroom.release,
-        "review": classroom.review,
-        "datetime": classroom.datetime,
+        "review": review.into_iter().find(|url| !url.is_empty()).map_or("", String::as_str),
+        "datetime": submitted(&classroom.submission).unwrap_or_else(|| classroom.datetime.clone()),
+        "graded_at": classroom.datetime,
         "score": score,
-        "max-score": MAX_SCORE,
-        "tests": tests,
+        "max-score": most,
+        "tests": tests.into_iter().map(|test| json!({
+            "test-name": test.0, "passed": test.1, "score": test.2, "max-score": test.3,
+        })).collect::<Vec<_>>(),
     })
 }
 
-fn test(check: Check, status: &Status, score: u32, most: u32, words: &Words) -> Value {
-    json!({
-        "test-name": format!("{}: {}", check.id(), (words.grade.check)(check).title),
-        "passed": *status == Status::Passed,
-        "score": score,
-        "max-score": most,
-    })
+/// When it was submitted, from a tag such as `submit/2026-06-01T14-32-05Z-a1b2c3d`: the same whenever it is
+/// graded again.
+fn submitted(tag: &str) -> Option<String> {
+    let time = tag.strip_prefix("submit/")?.get(..20)?;
+    let is_digit = |k: usize| time.as_bytes()[k].is_ascii_digit();
+    let digits = [0, 1, 2, 3, 5, 6, 8, 9, 11, 12, 14, 15, 17, 18];
+    let marks = [(4, "-"), (7, "-"), (10, "T"), (13, "-"), (16, "-"), (19, "Z")];
+    let is_time = digits.into_iter().all(is_digit)
+        && marks.into_iter().all(|(k, mark)| time.get(k..=k) == Some(mark));
+    is_time.then(|| format!("{}:{}:{}", &time[..13], &time[14..16], &time[17..]))
 }
 
 /// [`MAX_SCORE`] shared in the ratio of `parts`; nothing if all of them are 0.
@@ -135,5 +148,16 @@ mod tests {
         }
         assert_eq!(shared(&[0.0, 0.0]), [0, 0]);
         assert!(shared(&[]).is_empty());
+    }
+
+    #[test]
+    fn the_time_of_submission_is_that_of_its_tag() {
+        let time = submitted("submit/2026-06-01T14-32-05Z-a1b2c3d");
+        assert_eq!(time.as_deref(), Some("2026-06-01T14:32:05Z"));
+        for tag in
+            ["", "submit/", "v1.0", "submit/2026-06-01T14-32-05", "submit/2026-06-01 14-32-05Z"]
+        {
+            assert_eq!(submitted(tag), None, "{tag}");
+        }
     }
 }

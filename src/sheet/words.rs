@@ -70,8 +70,8 @@ pub struct Words {
     pub partial: &'static str,
     /// Before the number of checks that count and are not shown.
     pub hidden: &'static str,
-    /// In place of what was found, for a check to be seen later.
-    pub later: &'static str,
+    /// Name of the checks that count and are not shown, taken together.
+    pub hidden_test: &'static str,
     /// Heading of what a tool printed.
     pub said: &'static str,
     /// Heading of what build and run printed.

@@ -14,7 +14,7 @@ pub const ENGLISH: Words = Words {
     notes: "Good to know",
     partial: "Grading has not ended: checks are still to come, and the points are those so far.",
     hidden: "checks that count and are not shown:",
-    later: "this check counts; what it found is shown later",
+    hidden_test: "checks that are not shown",
     said: "what was printed",
     log: "What building and running printed",
     cut: "(and more, left out here)",
