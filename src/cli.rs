@@ -167,11 +167,11 @@ impl Failure {
             Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong { .. } => {
                 ExitCode::FAILURE
             }
+            Self::Grade(why) => ExitCode::from(why.exit_code()),
             Self::Scenario(_)
             | Self::Output(_)
             | Self::Plot(_)
             | Self::Report(_)
-            | Self::Grade(_)
             | Self::Refused(_)
             | Self::UnknownCommand { .. } => ExitCode::from(2),
         }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 19] = [
+const ARROWS: [(&str, &[&str]); 22] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -37,7 +37,24 @@ const ARROWS: [(&str, &[&str]); 19] = [
     ("workshop", &[]),
     ("grade", &["analysis", "figure"]),
     ("sheet", &["figure", "grade", "output", "page"]),
-    ("cli", &["scenario", "simulation", "analysis", "output", "figure", "page", "grade", "sheet"]),
+    ("marking", &["grade", "sheet", "workshop"]),
+    ("proof", &["grade"]),
+    (
+        "cli",
+        &[
+            "scenario",
+            "simulation",
+            "analysis",
+            "output",
+            "figure",
+            "page",
+            "grade",
+            "workshop",
+            "sheet",
+            "marking",
+            "proof",
+        ],
+    ),
     ("main", &[]),
     ("lib", &[]),
 ];

@@ -9,6 +9,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::Failure;
+use crate::workshop::{Choice, Refused, Tier, Workshop};
 
 #[derive(Args)]
 pub(super) struct DoctorArguments {
@@ -44,8 +45,8 @@ const HELPERS: [Helper; 3] = [
     Helper {
         name: "bwrap",
         version_flag: "--version",
-        unlocks: "running somebody else's program without letting it touch files or the network",
-        without: "simulations need no sandbox",
+        unlocks: "the best sandbox for `parsim2d grade`",
+        without: "grade takes the next best sandbox, if one works here",
     },
 ];
 
@@ -65,6 +66,29 @@ struct Findings {
     cores: usize,
     folder_can_be_written: bool,
     programs: Vec<Found>,
+    /// The sandbox that `grade` would use, if one works, and why no better one.
+    sandbox: Sandbox,
+}
+
+/// How student code would be kept from doing harm.
+#[derive(Serialize)]
+struct Sandbox {
+    tier: Option<Tier>,
+    refused: Vec<Refused>,
+    error: Option<String>,
+}
+
+impl Sandbox {
+    fn probe() -> Self {
+        match Workshop::open(&Choice::default()) {
+            Ok(workshop) => Self {
+                tier: Some(workshop.tier()),
+                refused: workshop.refused().to_vec(),
+                error: None,
+            },
+            Err(why) => Self { tier: None, refused: Vec::new(), error: Some(why.to_string()) },
+        }
+    }
 }
 
 pub(super) fn examine(arguments: &DoctorArguments) -> Result<ExitCode, Failure> {
@@ -73,6 +97,7 @@ pub(super) fn examine(arguments: &DoctorArguments) -> Result<ExitCode, Failure> 
         cores: std::thread::available_parallelism().map_or(1, usize::from),
         folder_can_be_written: tells_writable(Path::new(".")),
         programs: HELPERS.iter().map(look_for).collect(),
+        sandbox: Sandbox::probe(),
     };
     let mut out = io::stdout().lock();
     if arguments.json {
@@ -102,6 +127,15 @@ fn write_text(out: &mut impl Write, findings: &Findings) -> io::Result<()> {
         if found.version.is_none() {
             writeln!(out, "         without it: {}", helper.without)?;
         }
+    }
+    let Sandbox { tier, refused, error } = &findings.sandbox;
+    match (tier, error) {
+        (Some(tier), _) => writeln!(out, "\ngrade's sandbox: tier {tier}, {}", tier.words())?,
+        (None, Some(why)) => writeln!(out, "\ngrade's sandbox: {why}")?,
+        (None, None) => {}
+    }
+    for Refused { tier, why } in refused {
+        writeln!(out, "         not tier {tier}: {why}")?;
     }
     Ok(())
 }

@@ -1,10 +1,12 @@
-//! `parsim2d grade`: judges frames that a submission wrote.
+//! `parsim2d grade`: judges submissions, or frames that they wrote.
 
 mod all;
 mod arguments;
 mod error;
 mod explain;
+mod proof;
 mod sheets;
+mod submissions;
 
 use std::fs;
 use std::io::{self, Write};
@@ -25,6 +27,8 @@ pub(super) use self::error::GradeError;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
+  parsim2d grade submissions/*                       builds and runs each in a sandbox; a table of the class
+  parsim2d grade submissions/* --rubric course.toml --out-dir done -j 4
   parsim2d grade --frames out.txt                    faces, points, causes and hints
   parsim2d grade --frames a.txt b.txt --json         for a script; ids are stable
   parsim2d grade --frames a.txt b.txt --out-dir done  a page to hand back for each, and class.html, class.csv
@@ -33,7 +37,7 @@ Examples:
   parsim2d grade --frames out.txt --rubric course.toml --fail-under 60
   parsim2d grade --explain free_flight               what a check measures, and why
 
-Exit codes: 0 graded whatever the score, 1 below --fail-under, 2 usage or rubric error, 3 a file cannot be read.";
+Exit codes: 0 graded whatever the score, 1 below --fail-under, 2 usage or rubric error, 3 a sandbox or file failed.";
 
 pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     let rubric = arguments.rubric.as_deref().map(rubric).transpose()?.unwrap_or_default();
@@ -47,13 +51,22 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::SUCCESS);
     }
     drop(out);
+    match (arguments.proof, arguments.submissions.is_empty()) {
+        (true, _) => proof::run(arguments),
+        (_, false) => submissions::run(arguments, rubric),
+        _ => grade_files(arguments, &rubric),
+    }
+}
+
+/// Grades files of frames.
+fn grade_files(arguments: &GradeArguments, rubric: &Rubric) -> Result<ExitCode, Failure> {
     let names: Vec<String> =
         arguments.frames.iter().map(|path| path.display().to_string()).collect();
     let sheets = Sheets::open(&arguments.sheets, &names)?;
     let entries = grade_all(
         arguments.frames.iter().cloned(),
         arguments.jobs(),
-        |_, path| grade_frames(path, &rubric),
+        |_, path| grade_frames(path, rubric),
         |k, entry| sheets.add(k, entry),
     );
     sheets.finish(&entries, true)?;

@@ -1,9 +1,12 @@
 //! The rubric: a course's numbers, tolerances and points, from a TOML file.
 
+pub mod program;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use self::program::Program;
 use super::check::Check;
 use super::mistake::Mistake;
 use crate::analysis::collision::{ContactEnd, angular_frequency, damping_ratio, restitution};
@@ -97,6 +100,8 @@ pub struct Rubric {
     pub visibility: BTreeMap<Check, Visibility>,
     /// Hints in place of the usual ones.
     pub hints: BTreeMap<Mistake, String>,
+    /// How submissions are built and run.
+    pub program: Program,
 }
 
 impl Default for Rubric {
@@ -122,6 +127,7 @@ impl Default for Rubric {
             partial: BTreeMap::new(),
             visibility: BTreeMap::new(),
             hints: BTreeMap::new(),
+            program: Program::default(),
         }
     }
 }
@@ -154,7 +160,12 @@ impl Rubric {
         let rest = not_negative.into_iter().chain(points);
         let rest = rest.map(|(k, v)| bad(v.is_finite() && v >= 0.0, k, v, "0 or more"));
         let corner = self.corner.map(|v| bad(v.is_finite(), "corner", v, "two finite numbers"));
-        more.chain(rest).chain(corner).flatten().next().or_else(|| self.part_refused())
+        more.chain(rest)
+            .chain(corner)
+            .flatten()
+            .next()
+            .or_else(|| self.part_refused())
+            .or_else(|| self.program.refused())
     }
 
     /// What lies between 0 and 1.

@@ -177,6 +177,17 @@ impl Report {
         matches!(self.status(check), Some(Status::Failed(_)))
     }
 
+    /// Whether what a check hangs on was passed or not seen.
+    pub fn is_asked_for(&self, check: Check) -> bool {
+        let needed = check.needs().and_then(|needed| self.status(needed));
+        !matches!(needed, Some(Status::Failed(_) | Status::Skipped(_)))
+    }
+
+    /// Puts the checks into the order of [`Check::ALL`].
+    pub fn in_order(&mut self) {
+        self.checks.sort_by_key(|(check, _)| *check);
+    }
+
     /// Points of a check.
     pub fn points_of(&self, check: Check) -> f64 {
         self.rubric.points_of(check)

@@ -192,6 +192,8 @@ pub struct Words {
     pub note: fn(Note) -> &'static str,
     /// Of mistakes.
     pub mistake: fn(Mistake) -> MistakeWords,
+    /// Before the name of a program that should have been built and was not.
+    pub no_program: &'static str,
     /// Before the frame of a failure.
     pub frame: &'static str,
     /// Before its discs.

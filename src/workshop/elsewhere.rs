@@ -57,6 +57,11 @@ impl Workshop {
 }
 
 impl Made<'_> {
+    /// Where it is; cannot be called.
+    pub fn folder(&self) -> PathBuf {
+        match self.never {}
+    }
+
     /// # Errors
     ///
     /// Cannot be called.

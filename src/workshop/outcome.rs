@@ -73,3 +73,24 @@ pub enum Film {
     /// There was no `out.txt`, or it was no regular file.
     Nothing,
 }
+
+impl Film {
+    /// Whether nothing but blanks was written.
+    pub fn is_blank(&self) -> bool {
+        let is_blank = |bytes: &[u8]| bytes.iter().all(u8::is_ascii_whitespace);
+        match self {
+            Self::Snapshots(all) => all.iter().all(|bytes| is_blank(bytes)),
+            Self::File(bytes) => is_blank(bytes),
+            Self::Nothing => true,
+        }
+    }
+
+    /// What was kept of it, bytes.
+    pub fn bytes(&self) -> u64 {
+        match self {
+            Self::Snapshots(all) => all.iter().map(|bytes| bytes.len() as u64).sum(),
+            Self::File(bytes) => bytes.len() as u64,
+            Self::Nothing => 0,
+        }
+    }
+}

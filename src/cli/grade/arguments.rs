@@ -8,18 +8,31 @@ use crate::sheet::folder::Format;
 
 #[derive(Args)]
 pub(in crate::cli) struct GradeArguments {
-    /// Files of frames, `x y r` a line, blank lines between frames
+    /// Folders handed in: each is copied, built and run in a sandbox, and graded (Linux)
+    #[arg(value_name = "SUBMISSION")]
+    #[arg(required_unless_present_any = ["frames", "explain", "init_rubric"])]
+    #[arg(conflicts_with_all = ["frames", "explain", "init_rubric"])]
+    pub submissions: Vec<PathBuf>,
+    /// Files of frames, `x y r` a line, blank lines between frames: nothing is built or run
     #[arg(long, value_name = "FILE", num_args = 1..)]
-    #[arg(required_unless_present_any = ["explain", "init_rubric"])]
     #[arg(conflicts_with_all = ["explain", "init_rubric"])]
     pub frames: Vec<PathBuf>,
+    /// Build and run with limits alone where no sandbox works: student code can then read your files
+    #[arg(long, requires = "submissions")]
+    pub allow_unsandboxed: bool,
+    /// Folders with a submission.toml that says what is wrong with them: does the grader find it?
+    #[arg(long, requires = "submissions", conflicts_with = "rubric")]
+    pub proof: bool,
+    /// The seed programs are given, in place of the rubric's
+    #[arg(long, value_name = "N", requires = "submissions")]
+    pub seed: Option<u64>,
     /// The numbers and points of the course
     #[arg(long, value_name = "RUBRIC.toml")]
     pub rubric: Option<PathBuf>,
     #[command(flatten)]
     pub sheets: SheetArguments,
     /// Exit with 1 if a submission has less
-    #[arg(long, value_name = "PERCENT", requires = "frames", value_parser = percent)]
+    #[arg(long, value_name = "PERCENT", value_parser = percent)]
     pub fail_under: Option<f64>,
     /// Submissions graded at once [default: as many as there are processors]
     #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
@@ -44,19 +57,19 @@ impl GradeArguments {
 #[derive(Args)]
 pub(in crate::cli) struct SheetArguments {
     /// One JSON object for each submission, in a list; the same as --format json
-    #[arg(long, requires = "frames")]
+    #[arg(long)]
     pub json: bool,
     /// How results are written; more than one with --out-dir
-    #[arg(long, value_name = "FORMAT", requires = "frames", conflicts_with = "json")]
+    #[arg(long, value_name = "FORMAT", conflicts_with = "json")]
     pub format: Vec<Named>,
     /// With a small picture of each failure, as SVG in the JSON
-    #[arg(long, requires = "frames")]
+    #[arg(long)]
     pub pictures: bool,
     /// Write a page and a JSON file for each submission, and class.html, class.csv, class.json, as each ends
-    #[arg(long, value_name = "FOLDER", requires = "frames")]
+    #[arg(long, value_name = "FOLDER")]
     pub out_dir: Option<PathBuf>,
     /// Write to a file, which appears whole, in place of standard output
-    #[arg(long, value_name = "FILE", requires = "frames", conflicts_with = "out_dir")]
+    #[arg(long, value_name = "FILE", conflicts_with = "out_dir")]
     pub out: Option<PathBuf>,
 }
 

@@ -15,6 +15,14 @@ pub(in crate::cli) enum GradeError {
         "--format {format} is one file for one submission, and there are {count}\n  way out: --out-dir FOLDER"
     )]
     OneOnly { format: String, count: usize },
+    #[error("the rubric cannot be used: {0}")]
+    Command(String),
+    #[error("{} is no folder of a submission\n  way out: parsim2d grade --frames FILE grades a file of frames", path.display())]
+    NoFolder { path: PathBuf },
+    #[error(transparent)]
+    Closed(crate::workshop::Closed),
+    #[error(transparent)]
+    Proof(crate::proof::ProofError),
     #[error(
         "{count} formats do not fit in one stream\n  way out: --out-dir FOLDER, or one --format"
     )]
@@ -25,4 +33,14 @@ pub(in crate::cli) enum GradeError {
 
 fn ids() -> Vec<&'static str> {
     Check::ALL.into_iter().map(Check::id).collect()
+}
+
+impl GradeError {
+    /// 3 where the machine is at fault, 2 for bad usage.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Closed(_) => 3,
+            _ => 2,
+        }
+    }
 }

@@ -12,6 +12,7 @@ pub const ENGLISH: Words = Words {
     quantity,
     note,
     mistake,
+    no_program: "the build ended well, but there is no program",
     frame: "frame",
     discs: "disc",
     expected: "expected",

@@ -21,7 +21,7 @@ pub const ENGLISH: Words = Words {
     picture: "The discs of that frame; those that are meant have their numbers. Arrows: which way they \
               move, the longer the faster.",
     how: "How it was graded",
-    how_rows: ["graded by", "kept apart by", "whole frames", "discs", "seconds"],
+    how_rows: ["graded by", "sandbox", "whole frames", "discs", "seconds"],
     no_tier: "nothing was run: the frames were handed in",
     rubric: "The numbers it was measured by",
     rubric_rows: [

@@ -1,0 +1,55 @@
+//! Folders handed in: built and run in the workshop, marked, and written down as each check ends.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use super::all::grade_all;
+use super::arguments::GradeArguments;
+use super::error::GradeError;
+use super::exit_code;
+use super::sheets::Sheets;
+use crate::cli::Failure;
+use crate::grade::rubric::Rubric;
+use crate::marking::Marker;
+use crate::marking::program::Course;
+use crate::workshop::{Choice, Workshop};
+
+pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<ExitCode, Failure> {
+    rubric.program.seed = arguments.seed.unwrap_or(rubric.program.seed);
+    let course = Course::of(rubric).map_err(GradeError::Command)?;
+    let folders: Vec<PathBuf> =
+        arguments.submissions.iter().filter(|path| path.is_dir()).cloned().collect();
+    if let Some(path) = arguments.submissions.iter().find(|path| !path.exists()) {
+        return Err(GradeError::NoFolder { path: path.clone() }.into());
+    }
+    if folders.is_empty() {
+        let path = arguments.submissions[0].clone();
+        return Err(GradeError::NoFolder { path }.into());
+    }
+    let workshop = open(arguments)?;
+    let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
+    let sheets = Sheets::open(&arguments.sheets, &names)?;
+    let marker = Marker { workshop: &workshop, course: &course };
+    let entries = grade_all(
+        folders,
+        arguments.jobs(),
+        |k, folder| {
+            marker.mark(folder, |graded| sheets.keep(k, graded)).map_err(|why| why.to_string())
+        },
+        |k, entry| sheets.add(k, entry),
+    );
+    sheets.finish(&entries, true)?;
+    Ok(ExitCode::from(exit_code(&entries, arguments.fail_under)))
+}
+
+/// The workshop, with a word on what it is.
+pub(super) fn open(arguments: &GradeArguments) -> Result<Workshop, GradeError> {
+    let choice = Choice { allow_unsandboxed: arguments.allow_unsandboxed, ..Choice::default() };
+    let workshop = Workshop::open(&choice).map_err(GradeError::Closed)?;
+    let tier = workshop.tier();
+    eprintln!("sandbox: tier {tier} ({})", tier.words());
+    for refused in workshop.refused() {
+        eprintln!("  not tier {}: {}", refused.tier, refused.why);
+    }
+    Ok(workshop)
+}

@@ -1,0 +1,97 @@
+//! How a course's submissions are built and run: the section `[program]` of a rubric.
+
+use serde::{Deserialize, Serialize};
+
+/// How submissions become programs, and programs frames. Commands are split into words as a shell does it,
+/// but no shell runs them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Program {
+    /// Files that are to be handed in.
+    pub files: Vec<String>,
+    /// Command that builds; empty: nothing to build.
+    pub build: String,
+    /// Command that runs.
+    pub run: String,
+    /// Its arguments; `{n}`, `{seed}` and `{frames}` stand for numbers.
+    pub arguments: Vec<String>,
+    /// What it reads on its standard input; the same stand for numbers.
+    pub stdin: String,
+    /// Number of discs it is asked for, where it can be asked.
+    pub n: usize,
+    /// Seed it is asked for, where it can be asked.
+    pub seed: u64,
+    /// Frames that are enough.
+    pub frames: usize,
+    /// Fewer whole frames than this, in the time there is, are too few.
+    pub frames_at_least: usize,
+    /// Rows after the discs of a frame that are no discs.
+    pub extra_rows: usize,
+    /// Discs of the crowded box; 0: it is not asked for.
+    pub many: usize,
+    /// Frames of it.
+    pub many_frames: usize,
+    /// Commands that build with warnings (`-Wextra` among their words), of which the first that works counts;
+    /// `{sources}` stands for the files in C and C++. None: warnings are looked for in what `build` prints.
+    pub warnings: Vec<String>,
+    /// Commands that build with sanitizers, of which the first that works counts. None: they are not asked for.
+    pub sanitizer: Vec<String>,
+    /// Wall time of a build, s.
+    pub build_seconds: f64,
+    /// Wall time of a run, s.
+    pub run_seconds: f64,
+    /// Wall time of the run of many, s.
+    pub many_seconds: f64,
+}
+
+impl Default for Program {
+    fn default() -> Self {
+        let files = ["Makefile", "particle.h", "particle.cpp", "simulation.cpp"];
+        Self {
+            files: files.map(str::to_owned).into(),
+            build: "make".to_owned(),
+            run: "./parSim2D".to_owned(),
+            arguments: Vec::new(),
+            stdin: String::new(),
+            n: 20,
+            seed: 1,
+            frames: 400,
+            frames_at_least: 20,
+            extra_rows: 0,
+            many: 1000,
+            many_frames: 12,
+            warnings: vec![
+                "make 'CXXFLAGS=-O2 -Wall -Wextra'".to_owned(),
+                "g++ -O2 -Wall -Wextra -c {sources}".to_owned(),
+            ],
+            sanitizer: vec![
+                "make 'CXXFLAGS=-O1 -g -fsanitize=address,undefined'".to_owned(),
+                "g++ -O1 -g -fsanitize=address,undefined -o parSim2D {sources}".to_owned(),
+            ],
+            build_seconds: 60.0,
+            run_seconds: 20.0,
+            many_seconds: 60.0,
+        }
+    }
+}
+
+impl Program {
+    /// What is wrong with a number, if anything: key, value and range.
+    pub(super) fn refused(&self) -> Option<String> {
+        let seconds = [
+            ("build_seconds", self.build_seconds),
+            ("run_seconds", self.run_seconds),
+            ("many_seconds", self.many_seconds),
+        ];
+        let out = |(_, value): &(&str, f64)| !(*value > 0.0 && *value <= 3600.0);
+        if let Some((key, value)) = seconds.into_iter().find(out) {
+            return Some(format!(
+                "program.{key} = {value} is out of range; it is above 0, at most 3600 s"
+            ));
+        }
+        let least =
+            [("n", self.n, 1), ("frames", self.frames, 1), ("many_frames", self.many_frames, 2)];
+        let (key, value, least) = least.into_iter().find(|(_, value, least)| value < least)?;
+        Some(format!("program.{key} = {value} is out of range; it is at least {least}"))
+    }
+}

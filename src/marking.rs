@@ -1,0 +1,182 @@
+//! A submission marked: built and run in the workshop, judged by physics, and made into a sheet.
+//!
+//! Reading order: this file (one submission from folder to sheet), [`program`] (what the rubric says of
+//! building and running), [`runs`] (what a run's end means), [`quality`] (warnings, sanitizer).
+
+pub mod program;
+mod quality;
+mod runs;
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use self::program::Course;
+use self::quality::{sanitizer, warnings};
+use self::runs::{Ended, ended, newly_written};
+use crate::grade::check::Check;
+use crate::grade::film::Film;
+use crate::grade::frames::Footage;
+use crate::grade::rubric::program::Program;
+use crate::grade::verdict::{Failure, Report, Status};
+use crate::grade::{add_film, add_many};
+use crate::sheet::Graded;
+use crate::workshop::{self, Closed, Limits, Made, Outcome, Run, Submission, Workshop};
+
+/// Marks submissions of one course in one workshop.
+#[derive(Clone, Copy)]
+pub struct Marker<'a> {
+    /// Where submissions are built and run.
+    pub workshop: &'a Workshop,
+    /// What the course asks for.
+    pub course: &'a Course,
+}
+
+impl Marker<'_> {
+    /// Marks the submission in `folder`, and tells `seen` of the sheet so far whenever a check has ended.
+    ///
+    /// Fails if the machine does; what the submission does wrong is on the sheet.
+    pub fn mark(&self, folder: &Path, seen: impl Fn(&Graded)) -> Result<Graded, Closed> {
+        let started = Instant::now();
+        let name = folder.file_name().unwrap_or_default().to_string_lossy();
+        let report = Report::of_submission(&self.course.rubric);
+        let mut graded = Graded::new(&name, &folder.display().to_string(), report);
+        let tier = self.workshop.tier();
+        graded.tier = format!("tier {tier}: {}", tier.words());
+        graded.is_partial = true;
+        self.go_through(folder, &mut graded, &seen)?;
+        graded.report.skip_the_rest();
+        graded.report.in_order();
+        graded.is_partial = false;
+        graded.seconds = started.elapsed().as_secs_f64();
+        Ok(graded)
+    }
+
+    fn go_through(
+        &self,
+        folder: &Path,
+        graded: &mut Graded,
+        seen: &impl Fn(&Graded),
+    ) -> Result<(), Closed> {
+        let made = self.make(folder, &self.course.build)?;
+        if let Some(build) = &made.build {
+            graded.log.clone_from(&build.log);
+        }
+        graded.report.decide(Check::Files, || files(&made));
+        graded.report.decide(Check::Builds, || self.builds(&made));
+        if !graded.report.passed(Check::Builds) {
+            return Ok(());
+        }
+        seen(graded);
+        let run = self.film_of(&made, graded)?;
+        seen(graded);
+        if graded.report.passed(Check::Runs) {
+            self.judge_motion(&run, graded);
+            seen(graded);
+            self.many(&made, graded)?;
+            seen(graded);
+        }
+        let verdict = warnings(self, folder, &made)?;
+        graded.report.decide(Check::Warnings, || verdict);
+        if graded.report.passed(Check::Runs) {
+            let verdict = sanitizer(self, folder)?;
+            graded.report.decide(Check::Sanitizer, || verdict);
+        }
+        Ok(())
+    }
+
+    /// Copies and builds by this command.
+    fn make(&self, folder: &Path, build: &[String]) -> Result<Made<'_>, Closed> {
+        let files = self.course.program().files.iter().map(PathBuf::from).collect();
+        let submission = Submission { folder: folder.to_owned(), files, build: build.to_vec() };
+        self.workshop.make(&submission, &self.course.limits())
+    }
+
+    fn builds(&self, made: &Made) -> Status {
+        let program = self.course.program();
+        let Some(build) = &made.build else { return self.is_there(made, "") };
+        let failure = match build.outcome {
+            Outcome::Ended(0) => return self.is_there(made, &build.log),
+            Outcome::TimeUp | Outcome::CpuUp => {
+                Failure::build_too_slow(program.build_seconds, &build.log)
+            }
+            _ => Failure::does_not_build(&build.log),
+        };
+        Status::Failed(failure)
+    }
+
+    /// Whether the program that is to be run has been made.
+    fn is_there(&self, made: &Made, log: &str) -> Status {
+        let program = self.course.run.first().map_or("", String::as_str);
+        match program.strip_prefix("./") {
+            Some(file) if !made.folder().join(file).is_file() => {
+                let words = crate::grade::words::ENGLISH.no_program;
+                Status::Failed(Failure::does_not_build(&format!("{log}{words} {program}")))
+            }
+            _ => Status::Passed,
+        }
+    }
+
+    /// Runs it as the rubric says, and decides `runs`.
+    fn film_of(&self, made: &Made, graded: &mut Graded) -> Result<Run, Closed> {
+        let program = self.course.program();
+        let before = newly_written(&made.folder(), &[]);
+        let errand = self.course.errand(program.n, program.frames);
+        let run = made.run(&errand, &self.course.limits())?;
+        let others = newly_written(&made.folder(), &before);
+        graded.log.push_str(&run.log);
+        graded.report.decide(Check::Runs, || match ended(&run, &others, program) {
+            Ended::Well => Status::Passed,
+            Ended::Badly(failure) => Status::Failed(failure),
+        });
+        Ok(run)
+    }
+
+    /// The checks of frames.
+    fn judge_motion(&self, run: &Run, graded: &mut Graded) {
+        let film: Option<Film> =
+            add_film(&mut graded.report, footage(&run.film), &self.course.rubric);
+        graded.report.torn += run.torn;
+        *graded = graded.clone().with_pictures(film.as_ref());
+    }
+
+    /// A box of many, if the program can be told how many.
+    fn many(&self, made: &Made, graded: &mut Graded) -> Result<(), Closed> {
+        let program = self.course.program();
+        let is_asked = program.many > 0 && self.course.tells_n();
+        if !is_asked || !graded.report.is_asked_for(Check::Many) {
+            graded.report.decide(Check::Many, || Status::NotSeen);
+            return Ok(());
+        }
+        let wall = Duration::from_secs_f64(program.many_seconds);
+        let limits = Limits { run_wall: wall, ..self.course.limits() };
+        let errand = self.course.errand(program.many, program.many_frames);
+        let run = made.run(&errand, &limits)?;
+        let enough = Program { frames_at_least: 2, ..program.clone() };
+        match ended(&run, &[], &enough) {
+            Ended::Badly(failure) => graded.report.decide(Check::Many, || Status::Failed(failure)),
+            Ended::Well => {
+                let footage = footage(&run.film);
+                add_many(&mut graded.report, footage, program.many, &self.course.rubric);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether all that is asked for was handed in.
+fn files(made: &Made) -> Status {
+    let missing: Vec<_> = made.missing.iter().map(|file| file.to_string_lossy()).collect();
+    let missing: Vec<&str> = missing.iter().map(AsRef::as_ref).collect();
+    match missing[..] {
+        [] => Status::Passed,
+        _ => Status::Failed(Failure::files_missing(&missing)),
+    }
+}
+
+fn footage(film: &workshop::Film) -> Footage<'_> {
+    match film {
+        workshop::Film::Snapshots(all) => Footage::Snapshots(all),
+        workshop::Film::File(bytes) => Footage::File(bytes),
+        workshop::Film::Nothing => Footage::Nothing,
+    }
+}

@@ -1,0 +1,88 @@
+//! What the end of a run means.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::grade::rubric::program::Program;
+use crate::grade::verdict::Failure;
+use crate::workshop::{Film, Outcome, Run};
+
+/// What is said of a run, before anybody looks into its frames.
+pub(super) enum Ended {
+    /// It may be looked at; what is not there is the frames' affair.
+    Well,
+    /// With this failure.
+    Badly(Failure),
+}
+
+/// What is said of `run`, which wrote these `other` files besides.
+pub(super) fn ended(run: &Run, others: &[PathBuf], program: &Program) -> Ended {
+    let log = &run.log;
+    let failure = match run.outcome {
+        // Whoever writes empty frames over and over does write.
+        Outcome::Ended(0)
+            if run.film.is_blank()
+                && whole_frames(&run.film) < 2
+                && others.is_empty()
+                && !prints_frames(log) =>
+        {
+            Failure::ends_without_frames(log)
+        }
+        Outcome::Ended(0) | Outcome::EnoughFrames => return Ended::Well,
+        Outcome::TimeUp | Outcome::CpuUp => {
+            // A program that runs for ever is right, if it writes in time; one that prints or writes
+            // elsewhere writes no frames.
+            let is_elsewhere = run.film.is_blank() && (!others.is_empty() || prints_frames(log));
+            if is_elsewhere || whole_frames(&run.film) >= program.frames_at_least {
+                return Ended::Well;
+            }
+            Failure::too_slow(run.took.as_secs_f64(), log)
+        }
+        Outcome::Ended(code) => Failure::ends_with_code(code, log),
+        Outcome::Signal(signal) => Failure::ends_by_signal(signal, log),
+        Outcome::OutputTooLarge => Failure::output_too_large(run.film.bytes()),
+        Outcome::MemoryUp | Outcome::TooManyProcesses => Failure::stopped_by_limits(log),
+        Outcome::NotStarted => Failure::does_not_build(log),
+    };
+    Ended::Badly(failure)
+}
+
+/// Frames in a film, as far as can be told without reading numbers.
+pub(super) fn whole_frames(film: &Film) -> usize {
+    match film {
+        Film::Snapshots(all) => all.len(),
+        Film::File(bytes) => {
+            // Blank lines between blocks of lines.
+            let is_blank = |line: &&[u8]| line.iter().all(u8::is_ascii_whitespace);
+            let lines: Vec<_> = bytes.split(|byte| *byte == b'\n').collect();
+            let starts = |pair: &[&[u8]]| is_blank(&pair[0]) && !is_blank(&pair[1]);
+            let first = lines.first().is_some_and(|line| !is_blank(line));
+            lines.windows(2).filter(|pair| starts(pair)).count() + usize::from(first)
+        }
+        Film::Nothing => 0,
+    }
+}
+
+/// Whether rows of numbers were printed where nobody reads them.
+fn prints_frames(log: &str) -> bool {
+    let is_row = |line: &str| {
+        let numbers = line.split_whitespace().map(str::parse::<f64>);
+        let numbers: Vec<_> = numbers.take(3).collect();
+        numbers.len() == 3 && numbers.iter().all(Result::is_ok)
+    };
+    log.lines().filter(|line| is_row(line)).count() >= 2
+}
+
+/// Files in `folder`, other than `out.txt`, that hold something and are not among those of `before`.
+pub(super) fn newly_written(folder: &Path, before: &[PathBuf]) -> Vec<PathBuf> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let is_new = |path: &PathBuf| {
+        let holds = fs::symlink_metadata(path).is_ok_and(|found| {
+            let is_out = path.file_name().is_some_and(|name| name == "out.txt");
+            // An out.txt that is no file is something else that was written.
+            if is_out { !found.is_file() } else { found.is_file() && found.len() > 0 }
+        });
+        holds && !before.contains(path)
+    };
+    entries.filter_map(Result::ok).map(|entry| entry.path()).filter(is_new).collect()
+}
