@@ -393,6 +393,7 @@ fn csv_reads_back_with_every_cell_in_its_column_and_no_formula() {
     assert_eq!(cell(0, "name"), "Rossi, Mario");
     assert!(cell(1, "name").starts_with("'=HYPERLINK("), "{}", cell(1, "name"));
     assert_eq!(cell(2, "causes"), "explicit_euler");
+    assert_eq!(cell(1, "start"), "0", "lost is not the same as not judged");
     assert_eq!((cell(2, "energy"), cell(2, "restitution_pair")), ("1".into(), String::new()));
 }
 
