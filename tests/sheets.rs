@@ -20,6 +20,7 @@ use parsim2d::sheet::gradescope::gradescope;
 use parsim2d::sheet::json::{json_of_class, json_of_student};
 use parsim2d::sheet::junit::junit;
 use parsim2d::sheet::student::html_of_student;
+use parsim2d::sheet::survey::mistakes;
 use parsim2d::sheet::text::{text_of_class, text_of_student};
 use parsim2d::sheet::vpl::vpl;
 use parsim2d::sheet::words::ENGLISH;
@@ -347,7 +348,13 @@ fn check50_and_codegrade_get_their_shapes() {
         let results = value["results"].as_array().unwrap();
         results.iter().for_each(|value| hold(value, &result));
         for value in results {
-            assert_eq!(value["passed"] == true, value["cause"].is_null(), "{value}");
+            let check = Check::named(value["name"].as_str().unwrap()).unwrap();
+            let expected = match graded.report.status(check).unwrap() {
+                Status::Passed => json!(true),
+                Status::Failed(_) => json!(false),
+                Status::NotSeen | Status::Skipped(_) => Value::Null,
+            };
+            assert_eq!((&value["passed"], value["cause"].is_null()), (&expected, expected == true));
         }
         let points: Value = serde_json::from_str(&codegrade(&graded)).unwrap();
         hold(&points, &["tag: points", "points: string"]);
@@ -386,6 +393,7 @@ fn csv_reads_back_with_every_cell_in_its_column_and_no_formula() {
     assert_eq!(cell(0, "name"), "Rossi, Mario");
     assert!(cell(1, "name").starts_with("'=HYPERLINK("), "{}", cell(1, "name"));
     assert_eq!(cell(2, "causes"), "explicit_euler");
+    assert_eq!(cell(1, "start"), "0", "lost is not the same as not judged");
     assert_eq!((cell(2, "energy"), cell(2, "restitution_pair")), ("1".into(), String::new()));
 }
 
@@ -497,6 +505,16 @@ fn our_own_json_has_stable_keys_for_a_submission_and_for_a_class() {
         json!({"cause": "does_not_build", "checks": ["builds"], "submissions": 2})
     );
     assert_eq!(class["submissions"].as_array().unwrap().len(), 6);
+}
+
+#[test]
+fn a_mistake_seen_in_two_checks_is_one_of_a_submission() {
+    let lost = |check| (check, Failure::of(Finding::WrongRestitution, Mistake::RestitutionWrong));
+    let both = graded(&Rubric::default(), &[Check::WallBounce, Check::PairCollision].map(lost));
+    let one = graded(&Rubric::default(), &[lost(Check::WallBounce)]);
+    let found = mistakes(&[Ok(one), Ok(both)]);
+    let checks = vec![Check::WallBounce, Check::PairCollision];
+    assert_eq!(found, [(Some(Mistake::RestitutionWrong), checks, 2)]);
 }
 
 #[test]

@@ -63,7 +63,7 @@ dl { display: grid; grid-template-columns: max-content auto; gap: 0.1rem 1rem; m
 figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; border: 1px solid #ddd; } figcaption { color: #555; font-size: 0.8rem; line-height: 1.3; }
 pre { font: 0.8rem/1.35 ui-monospace, monospace; white-space: pre-wrap; background: #f4f4f4; padding: 0.5rem; margin: 0.3rem 0; }
 table { border-collapse: collapse; } th, td { padding: 0.12rem 0.4rem; text-align: center; border-bottom: 1px solid #ddd; } tr { break-inside: avoid; } thead { display: table-header-group; }
-th { font-weight: 600; vertical-align: bottom; } th.up span { writing-mode: vertical-rl; transform: rotate(180deg); white-space: nowrap; font-weight: 400; } .left { text-align: left; } td.number { text-align: right; }
+th { font-weight: 600; vertical-align: bottom; } th.up span { writing-mode: vertical-rl; transform: rotate(180deg); white-space: nowrap; font-weight: 400; } .left { text-align: left; } td.number { text-align: right; white-space: nowrap; }
 td.passed { color: #006d4e; } td.failed { color: #a3270b; font-weight: 600; } td.partly { color: #8a5a00; } .legend { color: #555; font-size: 0.85rem; }
 .bins { max-width: 36rem; } .partial { border: 1px solid #8a5a00; padding: 0.4rem 0.6rem; }
 @media (max-width: 40rem) { .beside { grid-template-columns: 1fr; } }
