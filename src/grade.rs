@@ -44,7 +44,7 @@ use self::words::Note;
 /// ```
 /// use parsim2d::grade::{grade, rubric::Rubric};
 /// let report = grade(b"", &Rubric::default());
-/// assert_eq!(report.lost(), 1.0); // an empty file: `frames` is lost, the rest is not asked
+/// assert_eq!(report.percent(), 0.0); // an empty file: there is nothing to earn points by
 /// ```
 pub fn grade(bytes: &[u8], rubric: &Rubric) -> Report {
     grade_film(Footage::File(bytes), rubric)

@@ -15,10 +15,24 @@ use crate::analysis::collision::{ContactEnd, angular_frequency, damping_ratio, r
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Skipped {
-    /// Nothing: one mistake costs one check.
+    /// Nothing, if there were frames: one mistake costs one check. Without frames there is nothing to earn
+    /// points by, and they are lost.
+    LostWithoutFrames,
+    /// Nothing, whatever it hangs on.
     LeftOut,
     /// They are lost with the check they hang on.
     Lost,
+}
+
+impl Skipped {
+    /// Whether the points of a check that hangs on the failed `root` are lost.
+    pub fn is_lost(self, root: Check) -> bool {
+        match self {
+            Self::LostWithoutFrames => root <= Check::Frames,
+            Self::LeftOut => false,
+            Self::Lost => true,
+        }
+    }
 }
 
 /// What pushes discs apart.
@@ -122,7 +136,7 @@ impl Default for Rubric {
             printed_eta: PrintedEta::Forgiven,
             restitution_tolerance: 0.035,
             energy_tolerance: 0.08,
-            skipped: Skipped::LeftOut,
+            skipped: Skipped::LostWithoutFrames,
             points: BTreeMap::new(),
             partial: BTreeMap::new(),
             visibility: BTreeMap::new(),

@@ -2,8 +2,9 @@
 //!
 //! A passed check earns its points, a failed one loses them. One that is *not seen* (no two
 //! discs ever met, say) does neither: it is out of the count, and the report says so. What hangs on
-//! a failed check is *skipped*: out of the count as well, for one mistake should cost one check
-//! (the rubric can say otherwise, and can leave part of a check's points to a mistake).
+//! a failed check is *skipped*: out of the count as well, for one mistake should cost one check, or lost
+//! if there are no frames to judge (the rubric can say otherwise, and can leave part of a check's points to a
+//! mistake).
 
 use serde_json::{Value, json};
 
@@ -207,7 +208,7 @@ impl Report {
                 let left = self.rubric.part_left(failure.cause);
                 (left * points, (1.0 - left) * points)
             }
-            Status::Skipped(_) if self.rubric.skipped == Skipped::Lost => (0.0, points),
+            Status::Skipped(root) if self.rubric.skipped.is_lost(*root) => (0.0, points),
             Status::Skipped(_) | Status::NotSeen => (0.0, 0.0),
         }
     }

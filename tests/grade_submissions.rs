@@ -1,0 +1,139 @@
+//! Submissions of which it is known what is wrong with them are built, run and judged: `grade --proof`.
+//!
+//! The short form takes every right program and some of each kind of the others; all of them, right ones
+//! with five seeds, by `make proof` (PARSIM2D_PROOF=all).
+#![cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Of each stage at which a submission can go wrong, and of each kind of harm.
+const SHORT: [&str; 24] = [
+    "wrong/no_makefile",
+    "wrong/does_not_build",
+    "wrong/makefile_builds_another_name",
+    "wrong/crashes",
+    "wrong/ends_without_frames",
+    "wrong/another_file_name",
+    "wrong/rows_run_together",
+    "wrong/sorted_in_place",
+    "wrong/diameter_written",
+    "wrong/floor_missing",
+    "wrong/overlap_not_checked",
+    "wrong/gravity_sign",
+    "wrong/friction_in_flight",
+    "wrong/wall_at_centre",
+    "wrong/force_on_one_disc_only",
+    "wrong/damping_sign_pair",
+    "wrong/explicit_euler",
+    "wrong/room_for_100_discs",
+    "wrong/compiler_warns",
+    "wrong/reads_past_the_end",
+    "hostile/fork_bomb",
+    "hostile/fake_result",
+    "hostile/out_is_a_link",
+    "hostile/leaves_a_child",
+];
+
+fn corpus() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/submissions")
+}
+
+fn grade(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+        .arg("grade")
+        .args(arguments)
+        .current_dir(corpus())
+        .output()
+        .unwrap()
+}
+
+/// Whether submissions can be built and run here; says loudly if not.
+fn can_grade() -> bool {
+    let tools = ["make", "g++", "python3"];
+    let is_there = |tool: &&str| Command::new(tool).arg("--version").output().is_ok();
+    if let Some(tool) = tools.iter().find(|tool| !is_there(tool)) {
+        eprintln!("NOT TESTED: there is no {tool}, so no submission can be built");
+        return false;
+    }
+    let doctor = Command::new(env!("CARGO_BIN_EXE_parsim2d")).args(["doctor", "--json"]).output();
+    let found: serde_json::Value = serde_json::from_slice(&doctor.unwrap().stdout).unwrap();
+    if found["sandbox"]["tier"].is_null() {
+        eprintln!("NOT TESTED: no sandbox works here: {}", found["sandbox"]["error"]);
+        return false;
+    }
+    true
+}
+
+#[test]
+fn submissions_with_known_mistakes_lose_the_right_points_for_the_right_reason() {
+    if !can_grade() {
+        return;
+    }
+    let is_whole = std::env::var("PARSIM2D_PROOF").is_ok_and(|which| which == "all");
+    let mut runs = vec![("1", vec!["right", "wrong", "hostile"])];
+    if is_whole {
+        runs.extend(["2", "3", "4", "5"].map(|seed| (seed, vec!["right"])));
+    } else {
+        runs = vec![("1", ["right"].into_iter().chain(SHORT).collect())];
+    }
+    for (seed, which) in runs {
+        let graded = grade(&[&["--proof", "--seed", seed], &which[..]].concat());
+        let said = String::from_utf8_lossy(&graded.stdout);
+        let table = said.split("\nsubmission ").nth(1).unwrap_or(&said);
+        println!("seed {seed}\nsubmission {table}");
+        assert_eq!(
+            graded.status.code(),
+            Some(0),
+            "{table}{}",
+            String::from_utf8_lossy(&graded.stderr)
+        );
+    }
+    for left in ["results.json", "outside.txt"] {
+        assert!(!corpus().join(left).exists(), "a submission wrote {left} outside its folder");
+    }
+}
+
+#[test]
+fn folders_are_graded_by_a_rubric_and_leave_a_page_each_and_tables_of_the_class() {
+    if !can_grade() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    for (name, from) in [("Ada", "right/verlet"), ("Bob <b>", "right/one_file")] {
+        let folder = place.path().join("class").join(name);
+        fs::create_dir_all(&folder).unwrap();
+        for file in fs::read_dir(corpus().join(from)).unwrap().map(Result::unwrap) {
+            if file.file_name() != "submission.toml" {
+                fs::copy(file.path(), folder.join(file.file_name())).unwrap();
+            }
+        }
+    }
+    let rubric = place.path().join("course.toml");
+    let text =
+        "eta = 0\n[program]\narguments = ['{n}', '{seed}', '{frames}']\nmany = 0\nsanitizer = []";
+    fs::write(&rubric, text).unwrap();
+    let [ada, bob] = ["Ada", "Bob <b>"].map(|name| place.path().join("class").join(name));
+    let [ada, bob, rubric] = [&ada, &bob, &rubric].map(|path| path.to_str().unwrap());
+    let done = place.path().join("done");
+    let graded = grade(&[
+        ada,
+        bob,
+        "--rubric",
+        rubric,
+        "--out-dir",
+        done.to_str().unwrap(),
+        "--fail-under",
+        "50",
+    ]);
+    let said = String::from_utf8_lossy(&graded.stdout);
+    let why = String::from_utf8_lossy(&graded.stderr);
+    assert_eq!(graded.status.code(), Some(1), "{said}{why}"); // one is below 50 per cent
+    let csv = fs::read_to_string(done.join("class.csv")).unwrap();
+    let row = |name: &str| csv.lines().find(|line| line.contains(name)).unwrap();
+    assert!(row("Ada").contains("100"), "{csv}");
+    assert!(row("Bob").contains("no_makefile"), "{csv}");
+    let page = fs::read_to_string(done.join("class.html")).unwrap();
+    assert!(!page.contains("Bob <b>"), "a name is not markup");
+}
