@@ -7,6 +7,7 @@ pub mod program;
 mod quality;
 mod runs;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -43,12 +44,30 @@ impl Marker<'_> {
         let tier = self.workshop.tier();
         graded.tier = format!("tier {tier}: {}", tier.words());
         graded.is_partial = true;
-        self.go_through(folder, &mut graded, &seen)?;
+        self.go_through(&self.inner(folder), &mut graded, &seen)?;
         graded.report.skip_the_rest();
         graded.report.in_order();
         graded.is_partial = false;
         graded.seconds = started.elapsed().as_secs_f64();
         Ok(graded)
+    }
+
+    /// Where the files are: in the folder, or in the only folder in it, as some programs unpack.
+    fn inner(&self, folder: &Path) -> PathBuf {
+        let has_some = |folder: &Path| {
+            self.course.program().files.iter().any(|file| folder.join(file).is_file())
+        };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        let is_real = |entry: &fs::DirEntry| {
+            let name = entry.file_name();
+            let is_hidden = name.to_string_lossy().starts_with('.') || name == "__MACOSX";
+            !is_hidden && entry.file_type().is_ok_and(|kind| kind.is_dir())
+        };
+        let folders: Vec<_> = entries.filter(is_real).map(|entry| entry.path()).collect();
+        match &folders[..] {
+            [only] if !has_some(folder) && has_some(only) => only.clone(),
+            _ => folder.to_owned(),
+        }
     }
 
     fn go_through(
@@ -133,6 +152,14 @@ impl Marker<'_> {
 
     /// The checks of frames.
     fn judge_motion(&self, run: &Run, graded: &mut Graded) {
+        let (frames, wanted) =
+            (runs::whole_frames(&run.film), self.course.program().frames_at_least);
+        if frames > 0 && frames < wanted && matches!(run.film, workshop::Film::Snapshots(_)) {
+            let failure = Failure::too_few_frames(frames, wanted);
+            graded.report.decide(Check::Frames, || Status::Failed(failure));
+            graded.report.skip_frames();
+            return;
+        }
         let film: Option<Film> =
             add_film(&mut graded.report, footage(&run.film), &self.course.rubric);
         graded.report.torn += run.torn;
@@ -143,6 +170,13 @@ impl Marker<'_> {
     fn many(&self, made: &Made, graded: &mut Graded) -> Result<(), Closed> {
         let program = self.course.program();
         let is_asked = program.many > 0 && self.course.tells_n();
+        // What is wrong with a few is wrong with many: one mistake, one check.
+        let wrong =
+            graded.report.failures().map(|(check, _)| check).find(|check| check.is_of_frames());
+        if let Some(root) = wrong {
+            graded.report.push(Check::Many, Status::Skipped(root));
+            return Ok(());
+        }
         if !is_asked || !graded.report.is_asked_for(Check::Many) {
             graded.report.decide(Check::Many, || Status::NotSeen);
             return Ok(());
@@ -165,7 +199,12 @@ impl Marker<'_> {
 
 /// Whether all that is asked for was handed in.
 fn files(made: &Made) -> Status {
-    let missing: Vec<_> = made.missing.iter().map(|file| file.to_string_lossy()).collect();
+    // make takes these as well.
+    let is_there = |name: &str| made.folder().join(name).is_file();
+    let has_makefile = ["makefile", "GNUmakefile"].into_iter().any(is_there);
+    let is_missing = |file: &&PathBuf| !(has_makefile && file.as_path() == Path::new("Makefile"));
+    let missing = made.missing.iter().filter(is_missing);
+    let missing: Vec<_> = missing.map(|file| file.to_string_lossy()).collect();
     let missing: Vec<&str> = missing.iter().map(AsRef::as_ref).collect();
     match missing[..] {
         [] => Status::Passed,

@@ -34,6 +34,15 @@ pub struct Film {
 }
 
 impl Film {
+    /// The first frames, as many as make up so much `work`: frames times the square of discs.
+    pub fn within(mut self, work: usize) -> Self {
+        let n = self.n().max(1);
+        let most = (work / n.saturating_mul(n)).max(12);
+        self.frames.truncate(most);
+        self.follows.truncate(most);
+        self
+    }
+
     /// Discs in the first frame.
     pub fn n(&self) -> usize {
         self.frames.first().map_or(0, Vec::len)

@@ -32,7 +32,9 @@ impl Failure {
 
     /// A program that ended with an exit code other than 0.
     pub fn ends_with_code(code: i32, log: &str) -> Self {
-        let failure = Self::of(Finding::Crashed, Mistake::Crashes).saying(log);
+        // A plain code is what the program itself chose to return.
+        let cause = (code >= 128).then_some(Mistake::Crashes);
+        let failure = Self::of(Finding::Crashed, cause).saying(log);
         failure.with(Quantity::ExitCode, f64::from(code))
     }
 
@@ -45,6 +47,12 @@ impl Failure {
     /// A program that ended well and wrote nothing.
     pub fn ends_without_frames(log: &str) -> Self {
         Self::of(Finding::EndedWithoutFrames, Mistake::EndsWithoutFrames).saying(log)
+    }
+
+    /// A program that ended well with fewer frames than the rubric wants: nothing can be seen to move.
+    pub fn too_few_frames(frames: usize, wanted: usize) -> Self {
+        let failure = Self::of(Finding::TooFewFrames, None);
+        failure.with(Quantity::Frames, frames as f64).with(Quantity::FramesWanted, wanted as f64)
     }
 
     /// A program that wrote too few frames in the time it had.

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::check::Check;
 use super::film::Film;
 use super::mistake::Mistake;
-use super::rubric::{Rubric, Skipped};
+use super::rubric::Rubric;
 use super::words::{Finding, Note, Quantity, Words};
 
 /// A failure: where it is seen, by which numbers, what it looks like.

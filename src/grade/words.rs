@@ -24,6 +24,8 @@ pub enum Finding {
     Crashed,
     /// It ended and wrote nothing.
     EndedWithoutFrames,
+    /// Fewer frames than the rubric wants.
+    TooFewFrames,
     /// It wrote too few frames in the time it has.
     TakesTooLong,
     /// It wrote too much.
@@ -148,6 +150,10 @@ pub enum Quantity {
     Signal,
     /// Bytes.
     Bytes,
+    /// Frames.
+    Frames,
+    /// Frames that the rubric wants.
+    FramesWanted,
 }
 
 /// The words for a check.

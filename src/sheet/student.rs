@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::document::{Paper, document, picture, printed, section};
 use super::number::{percent, points};
 use super::plain::{beginning, one_line, plain};
-use super::text::{face, found, notes, numbers, said, sum, tier};
+use super::text::{face, found, is_kept_back, notes, numbers, said, sum, tier};
 use super::words::{Face, Words};
 use super::{Graded, VERSION};
 use crate::grade::check::Check;
@@ -67,6 +67,9 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Str
     let inside = match status {
         Status::Passed => String::new(),
         Status::NotSeen => paragraph("kind", (words.kindly)(face)),
+        Status::Skipped(root) if is_kept_back(graded, *root) => {
+            paragraph("kind", (words.kindly)(Face::NotSeen))
+        }
         Status::Skipped(root) => {
             let root = (words.grade.check)(*root).title;
             paragraph("kind", &format!("{} {root}.", (words.kindly)(face)))

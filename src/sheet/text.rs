@@ -7,6 +7,7 @@ use super::plain::{LONGEST, beginning, one_line, plain};
 use super::words::{Face, Words};
 use super::{Entry, Graded, name_of};
 use crate::grade::check::Check;
+use crate::grade::rubric::Visibility;
 use crate::grade::verdict::{Failure, Report, Status};
 
 /// How a check came out.
@@ -54,9 +55,18 @@ pub fn lines(graded: &Graded, status: &Status, words: &Words) -> Vec<String> {
     match status {
         Status::Passed => Vec::new(),
         Status::NotSeen => vec![words.grade.not_seen.to_owned()],
+        // Not a word of a check that students are not to see.
+        Status::Skipped(root) if is_kept_back(graded, *root) => {
+            vec![words.grade.not_seen.to_owned()]
+        }
         Status::Skipped(root) => vec![format!("{} {}", words.grade.skipped, root.id())],
         Status::Failed(failure) => failure_lines(graded, failure, words),
     }
+}
+
+/// Whether students are not to see a check, now or ever.
+pub fn is_kept_back(graded: &Graded, check: Check) -> bool {
+    graded.report.rubric().visibility_of(check) != Visibility::Visible
 }
 
 fn failure_lines(graded: &Graded, failure: &Failure, words: &Words) -> Vec<String> {

@@ -74,3 +74,6 @@ impl Made<'_> {
 pub fn jail_if_asked(_: impl Iterator<Item = OsString>) -> Option<ExitCode> {
     None
 }
+
+/// There are none here.
+pub fn remove_private_folders() {}

@@ -19,6 +19,7 @@ mod trace;
 mod untraced;
 mod warden;
 
+pub use folder::remove_private_folders;
 pub use jail::jail_if_asked;
 pub use made::Made;
 pub use open::Workshop;

@@ -12,7 +12,7 @@ use crate::cli::Failure;
 use crate::grade::rubric::Rubric;
 use crate::marking::Marker;
 use crate::marking::program::Course;
-use crate::workshop::{Choice, Workshop};
+use crate::workshop::{Choice, Workshop, remove_private_folders};
 
 pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<ExitCode, Failure> {
     rubric.program.seed = arguments.seed.unwrap_or(rubric.program.seed);
@@ -46,6 +46,12 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
 pub(super) fn open(arguments: &GradeArguments) -> Result<Workshop, GradeError> {
     let choice = Choice { allow_unsandboxed: arguments.allow_unsandboxed, ..Choice::default() };
     let workshop = Workshop::open(&choice).map_err(GradeError::Closed)?;
+    // Without a handler a signal would leave copies of submissions behind.
+    let _ = ctrlc::set_handler(|| {
+        eprintln!("interrupted; sheets of what was graded are where they were to be written");
+        remove_private_folders();
+        std::process::exit(130);
+    });
     let tier = workshop.tier();
     eprintln!("sandbox: tier {tier} ({})", tier.words());
     for refused in workshop.refused() {

@@ -89,9 +89,46 @@ impl Program {
                 "program.{key} = {value} is out of range; it is above 0, at most 3600 s"
             ));
         }
-        let least =
-            [("n", self.n, 1), ("frames", self.frames, 1), ("many_frames", self.many_frames, 2)];
-        let (key, value, least) = least.into_iter().find(|(_, value, least)| value < least)?;
-        Some(format!("program.{key} = {value} is out of range; it is at least {least}"))
+        self.text_refused().or_else(|| {
+            let least = [
+                ("n", self.n, 1),
+                ("frames", self.frames, 1),
+                ("many_frames", self.many_frames, 2),
+            ];
+            let (key, value, least) = least.into_iter().find(|(_, value, least)| value < least)?;
+            Some(format!("program.{key} = {value} is out of range; it is at least {least}"))
+        })
+    }
+
+    /// What is wrong with a command, a file or an argument.
+    fn text_refused(&self) -> Option<String> {
+        if self.run.trim().is_empty() {
+            return Some(
+                "program.run is empty; it is the command that runs, as ./parSim2D".to_owned(),
+            );
+        }
+        let is_outside =
+            |file: &&String| file.starts_with('/') || file.split('/').any(|part| part == "..");
+        if let Some(file) = self.files.iter().find(is_outside) {
+            return Some(format!("program.files has {file:?}; files lie in the folder handed in"));
+        }
+        let rest = |text: &&String| {
+            let known = ["{n}", "{seed}", "{frames}"];
+            known.iter().fold((*text).clone(), |text, name| text.replace(name, "")).contains('{')
+        };
+        if let Some(text) = self.arguments.iter().chain([&self.stdin]).find(rest) {
+            let known = "{n}, {seed} and {frames} stand for numbers, nothing else does";
+            return Some(format!("program.arguments or program.stdin has {text:?}; {known}"));
+        }
+        let wants_shell =
+            |command: &&String| ["&&", ";", "|", ">"].iter().any(|sign| command.contains(sign));
+        if let Some(command) = [&self.build, &self.run].into_iter().find(wants_shell) {
+            let way_out = "no shell runs it; way out: a target of a Makefile";
+            return Some(format!("the command {command:?} wants a shell, and {way_out}"));
+        }
+        (self.frames_at_least > self.frames).then(|| {
+            let (least, most) = (self.frames_at_least, self.frames);
+            format!("program.frames_at_least = {least} is above program.frames = {most}")
+        })
     }
 }

@@ -88,6 +88,7 @@ fn finding(finding: Finding) -> FindingWords {
         Finding::BuildTakesTooLong => ("the build did not end in its time", "a build of seconds"),
         Finding::Crashed => ("the program ended with an error", "exit code 0, or a program that goes on"),
         Finding::EndedWithoutFrames => ("the program ended and left no frame", "frames in out.txt"),
+        Finding::TooFewFrames => ("there are too few frames to see anything move", "one frame after another, as many as the assignment asks for"),
         Finding::TakesTooLong => ("the program wrote too few frames in the time it has", "frames one after another"),
         Finding::WritesTooMuch => ("the program wrote more than there is room for", "frames of some hundred bytes to some hundred kilobytes"),
         Finding::Stopped => ("the program was stopped by a limit on memory, processes or processor time", "one process and some megabytes"),
@@ -147,6 +148,8 @@ fn quantity(quantity: Quantity) -> &'static str {
         Quantity::Stiffness => "stiffness, parts of the one asked for",
         Quantity::Seconds => "time, s",
         Quantity::ExitCode => "exit code",
+        Quantity::Frames => "frames",
+        Quantity::FramesWanted => "frames wanted, at least",
         Quantity::Signal => "signal",
         Quantity::Bytes => "written, bytes",
     }

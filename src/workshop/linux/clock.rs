@@ -112,7 +112,18 @@ fn resident(pid: Pid) -> Option<u64> {
         line.split_whitespace().next()?.parse::<u64>().ok()
     };
     (value("Tgid:")? == pid.as_raw() as u64).then_some(())?;
-    Some(value("VmRSS:")? * 1024)
+    Some(value("VmRSS:").or_else(|| resident_of_threads(pid))? * 1024)
+}
+
+/// What the threads have, kB, of a process whose first thread has ended: it says nothing itself.
+fn resident_of_threads(pid: Pid) -> Option<u64> {
+    let threads = fs::read_dir(format!("/proc/{pid}/task")).ok()?.flatten();
+    let said = threads.filter_map(|thread| {
+        let status = fs::read_to_string(thread.path().join("status")).ok()?;
+        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+        line.split_whitespace().next()?.parse().ok()
+    });
+    said.max() // they share it
 }
 
 /// Counts the frames of a program that adds them to one file.

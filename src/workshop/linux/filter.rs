@@ -62,6 +62,8 @@ const DENIED: &[i64] = &[
     libc::SYS_msgget,
     libc::SYS_semget,
     libc::SYS_mq_open,
+    libc::SYS_memfd_create, // memory that no limit counts
+    libc::SYS_seccomp,      // a filter of its own could answer in the tracer's place
 ];
 
 /// Calls that get round a filter; programs and C libraries do without if there are none.
@@ -106,6 +108,9 @@ const CLONE_FLAGS: [i32; 8] = [
     libc::CLONE_UNTRACED,
 ];
 
+/// The option of prctl(2) that does what seccomp(2) does.
+const PR_SET_SECCOMP: u64 = libc::PR_SET_SECCOMP as u64;
+
 /// What is to be filtered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Filters {
@@ -130,11 +135,9 @@ pub(super) fn programs(filters: Filters) -> Result<Vec<BpfProgram>, BackendError
         // Without a path it is about a file that is open, which Landlock has seen.
         denied.insert(libc::SYS_utimensat, vec![rule(&[(1, SeccompCmpOp::Ne, 0)])?]);
     }
+    denied.insert(libc::SYS_prctl, vec![rule(&[(0, SeccompCmpOp::Eq, PR_SET_SECCOMP)])?]);
     let absent = ABSENT.iter().map(|&call| (call, Vec::new())).collect();
-    let mut programs = vec![
-        program(denied, SeccompAction::Errno(libc::EPERM as u32))?,
-        program(absent, SeccompAction::Errno(libc::ENOSYS as u32))?,
-    ];
+    let mut programs = vec![program(absent, SeccompAction::Errno(libc::ENOSYS as u32))?];
     let mut traced = if filters.film { replacing()? } else { Rules::new() };
     if filters.as_caller && filters.is_traced {
         traced.extend(SIGNALS.iter().chain(MODES).map(|&call| (call, Vec::new())));
@@ -142,6 +145,8 @@ pub(super) fn programs(filters: Filters) -> Result<Vec<BpfProgram>, BackendError
     if !traced.is_empty() {
         programs.push(program(traced, SeccompAction::Trace(0))?);
     }
+    // The last, for after it there can be no other.
+    programs.push(program(denied, SeccompAction::Errno(libc::EPERM as u32))?);
     Ok(programs)
 }
 

@@ -1,10 +1,12 @@
 //! A private folder: what is handed in is copied into it, built and run there, and it is removed at the end.
 
+use std::collections::BTreeSet;
 use std::fs::{self, DirBuilder, File, OpenOptions, Permissions};
 use std::io;
 use std::os::unix::fs::{DirBuilderExt, MetadataExt, OpenOptionsExt, PermissionsExt, chown};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use nix::libc;
 use nix::sys::statvfs::statvfs;
@@ -22,11 +24,20 @@ impl Folder {
     /// A new one among the temporary files; what is in `work` and `scratch` belongs to `owner`.
     pub fn new(owner: Option<u32>) -> io::Result<Self> {
         static COUNT: AtomicU64 = AtomicU64::new(0);
-        let count = COUNT.fetch_add(1, Ordering::Relaxed);
-        let root = std::env::temp_dir().join(format!("parsim2d-{}-{count}", std::process::id()));
         // Others may pass through, for the uid of the submission must, but see nothing.
-        DirBuilder::new().mode(0o711).create(&root)?;
-        let folder = Self { root };
+        let make = || {
+            let count = COUNT.fetch_add(1, Ordering::Relaxed);
+            let name = format!("parsim2d-{}-{count}", std::process::id());
+            let root = std::env::temp_dir().join(name);
+            DirBuilder::new().mode(0o711).create(&root).map(|()| root)
+        };
+        let mut made = make();
+        // Left by one of the same number that was killed, or put there by somebody.
+        while matches!(&made, Err(why) if why.kind() == io::ErrorKind::AlreadyExists) {
+            made = make();
+        }
+        let folder = Self { root: made? };
+        there().insert(folder.root.clone());
         fs::set_permissions(&folder.root, Permissions::from_mode(0o711))?;
         for path in [folder.work(), folder.scratch()] {
             DirBuilder::new().mode(0o700).create(&path)?;
@@ -57,6 +68,21 @@ impl Folder {
 impl Drop for Folder {
     fn drop(&mut self) {
         let _ = remove(&self.root);
+        there().remove(&self.root);
+    }
+}
+
+/// The folders that there are.
+fn there() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    static THERE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+    THERE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes the private folders of all submissions: for who is about to end the program.
+pub fn remove_private_folders() {
+    for root in there().iter() {
+        // What still runs there may write in between.
+        let _ = remove(root).or_else(|_| remove(root));
     }
 }
 

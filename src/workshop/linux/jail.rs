@@ -16,7 +16,7 @@ use nix::sys::memfd::{MFdFlags, memfd_create};
 use nix::sys::prctl;
 use nix::sys::resource::{Resource, setrlimit};
 use nix::sys::stat::{Mode, umask};
-use nix::unistd::{Gid, Uid, setgid, setgroups, setsid, setuid};
+use nix::unistd::{Gid, Uid, close, setgid, setgroups, setsid, setuid};
 use seccompiler::BpfProgram;
 use serde::{Deserialize, Serialize};
 
@@ -86,6 +86,7 @@ fn become_the_command() -> Result<std::convert::Infallible, Box<dyn Error>> {
     let mut text = String::new();
     std::io::stdin().read_to_string(&mut text)?;
     let order: Order = serde_json::from_str(&text)?;
+    close_what_was_inherited()?;
     let stdin = File::open(&order.stdin)?;
     let filters = order.filters.map(programs).transpose()?.unwrap_or_default();
     setsid()?;
@@ -102,6 +103,19 @@ fn become_the_command() -> Result<std::convert::Infallible, Box<dyn Error>> {
     command.env_clear().envs(order.environment).stdin(Stdio::from(stdin));
     let error = command.exec();
     Err(format!("{}: {error}", order.command[0]).into())
+}
+
+/// Closes every file but the standard ones: whoever started the grader may have left some open.
+fn close_what_was_inherited() -> std::io::Result<()> {
+    let entries = std::fs::read_dir("/proc/self/fd")?;
+    let numbers: Vec<i32> = entries
+        .filter_map(|entry| entry.ok()?.file_name().to_str()?.parse().ok())
+        .filter(|number| *number > 2)
+        .collect();
+    for number in numbers {
+        let _ = close(number); // the folder of the list itself is closed already
+    }
+    Ok(())
 }
 
 /// Shuts this process in as far as it does that itself; the command that is to follow, and the files that
