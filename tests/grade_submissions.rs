@@ -137,3 +137,32 @@ fn folders_are_graded_by_a_rubric_and_leave_a_page_each_and_tables_of_the_class(
     let page = fs::read_to_string(done.join("class.html")).unwrap();
     assert!(!page.contains("Bob <b>"), "a name is not markup");
 }
+
+#[test]
+fn files_that_are_open_when_the_grader_starts_do_not_reach_submissions() {
+    if !can_grade() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("curious");
+    fs::create_dir(&folder).unwrap();
+    fs::write(
+        folder.join("Makefile"),
+        "parSim2D: simulation.cpp\n\tg++ -o parSim2D simulation.cpp\n",
+    )
+    .unwrap();
+    let program = "#include <cstdio>\n#include <cerrno>\n#include <unistd.h>\n\
+        int main() { char b[9]; for (int fd = 3; fd < 200; fd++) \
+        if (read(fd, b, 9) >= 0 || errno != EBADF) printf(\"open: %d\\n\", fd); \
+        printf(\"looked\\n\"); return 3; }";
+    fs::write(folder.join("simulation.cpp"), program).unwrap();
+    let rubric = place.path().join("course.toml");
+    fs::write(&rubric, "[program]\nfiles = ['Makefile']\nwarnings = []\nsanitizer = []").unwrap();
+    // A duplicate stays open in programs that are started.
+    let secret = fs::File::open(&rubric).unwrap();
+    let left_open = nix::unistd::dup(&secret).unwrap();
+    let graded = grade(&[folder.to_str().unwrap(), "--rubric", rubric.to_str().unwrap()]);
+    drop(left_open);
+    let said = String::from_utf8_lossy(&graded.stdout);
+    assert!(said.contains("looked") && !said.contains("open:"), "{said}");
+}

@@ -590,7 +590,7 @@ fn formats_go_to_standard_output_or_to_one_file_and_what_does_not_fit_is_refused
         ("--frames a.txt --format vpl", 0, "\nGrade :=>> 100\n"),
         ("--frames a.txt --format html", 0, "<h1>Graded: a.txt</h1>"),
         ("--frames a.txt b.txt --format html", 0, "<h1>The class</h1>"),
-        ("--frames a.txt b.txt --format csv --fail-under 50", 1, "b.txt,0,0,1,"),
+        ("--frames a.txt b.txt --format csv --fail-under 50", 1, "b.txt,0,0,16,"),
         ("--frames a.txt b.txt --format vpl", 2, "--out-dir"),
         ("--frames a.txt --format vpl --format csv", 2, "--out-dir"),
         ("--frames a.txt --format word", 2, "possible values"),

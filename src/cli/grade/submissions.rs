@@ -1,6 +1,6 @@
 //! Folders handed in: built and run in the workshop, marked, and written down as each check ends.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::all::grade_all;
@@ -26,6 +26,12 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
         let path = arguments.submissions[0].clone();
         return Err(GradeError::NoFolder { path }.into());
     }
+    if let Some(class) = folders.iter().find(|folder| is_class(folder)) {
+        eprintln!(
+            "note: {} has folders and no files: are these the submissions? then {0}/*",
+            class.display()
+        );
+    }
     let workshop = open(arguments)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
     let sheets = Sheets::open(&arguments.sheets, &names)?;
@@ -40,6 +46,13 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
     );
     sheets.finish(&entries, true)?;
     Ok(ExitCode::from(exit_code(&entries, arguments.fail_under)))
+}
+
+/// Whether a folder holds several folders and no files, as that of a whole class does.
+fn is_class(folder: &Path) -> bool {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let kinds: Vec<_> = entries.filter_map(|entry| entry.file_type().ok()).collect();
+    kinds.len() > 1 && kinds.iter().all(std::fs::FileType::is_dir)
 }
 
 /// The workshop, with a word on what it is.

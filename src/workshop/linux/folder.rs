@@ -31,13 +31,15 @@ impl Folder {
             let root = std::env::temp_dir().join(name);
             DirBuilder::new().mode(0o711).create(&root).map(|()| root)
         };
+        let mut there = there();
         let mut made = make();
         // Left by one of the same number that was killed, or put there by somebody.
         while matches!(&made, Err(why) if why.kind() == io::ErrorKind::AlreadyExists) {
             made = make();
         }
         let folder = Self { root: made? };
-        there().insert(folder.root.clone());
+        there.insert(folder.root.clone());
+        drop(there);
         fs::set_permissions(&folder.root, Permissions::from_mode(0o711))?;
         for path in [folder.work(), folder.scratch()] {
             DirBuilder::new().mode(0o700).create(&path)?;
@@ -78,12 +80,16 @@ fn there() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     THERE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes the private folders of all submissions: for who is about to end the program.
+/// Removes the private folders of all submissions: for who is about to end the program. After it no submission
+/// can be made or dropped: that waits for ever.
 pub fn remove_private_folders() {
-    for root in there().iter() {
+    let there = there();
+    for root in there.iter() {
         // What still runs there may write in between.
         let _ = remove(root).or_else(|_| remove(root));
     }
+    // For good: nobody makes another before the program ends.
+    std::mem::forget(there);
 }
 
 /// Removes `path`, whatever it is, even if it was locked or nested so deeply that paths get too
