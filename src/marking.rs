@@ -1,7 +1,7 @@
 //! A submission marked: built and run in the workshop, judged by physics, and made into a sheet.
 //!
 //! Reading order: this file (one submission from folder to sheet), [`program`] (what the rubric says of
-//! building and running), [`runs`] (what a run's end means), [`quality`] (warnings, sanitizer).
+//! building and running), `runs` (what a run's end means), `quality` (warnings, sanitizer).
 
 pub mod program;
 mod quality;
