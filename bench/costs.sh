@@ -39,11 +39,11 @@ cost() {
         else
             b=$(rate ${4%% *} "$2" ${4#* }) a=$(rate ${3%% *} "$2" ${3#* })
         fi
-        echo "$a $b" >>"$folder/$1"
+        echo "$a $b" >>"$folder/$1-$2"
         run=$((run + 1))
     done
-    awk '{ print 100 * ($1 / $2 - 1) }' "$folder/$1" | sort -g >"$folder/percents"
-    printf '%s,%s,%s,%.4g,%.1f,%.1f,%.1f\n' "$1" "$2" "$(discs_of "$2")" "$(awk '{ print $1 }' "$folder/$1" | median)" \
+    awk '{ print 100 * ($1 / $2 - 1) }' "$folder/$1-$2" | sort -g >"$folder/percents"
+    printf '%s,%s,%s,%.4g,%.1f,%.1f,%.1f\n' "$1" "$2" "$(discs_of "$2")" "$(awk '{ print $1 }' "$folder/$1-$2" | median)" \
         "$(median <"$folder/percents")" "$(head -n 1 "$folder/percents")" "$(tail -n 1 "$folder/percents")" | tee -a "$result"
 }
 
