@@ -27,6 +27,7 @@ mod near;
 mod pass;
 mod ring;
 mod seam;
+mod sizes;
 mod sums;
 mod team;
 
@@ -45,11 +46,11 @@ use self::near::{Listed, Near, best_skin};
 use self::pass::{Found, Pass, Share};
 use self::ring::Ring;
 use self::seam::Seam;
+use self::sizes::Sizes;
 use self::team::Team;
 use crate::discs::Discs;
 use crate::force::{HalfPlane, Tally};
 use crate::integrator::Motion;
-use crate::neighbours::largest_radius;
 use crate::particle::Particle;
 use crate::work::Works;
 
@@ -247,21 +248,18 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
 
     /// Stores the discs cell by cell and lists who is near whom, with a skin for the present speeds.
     fn list(&mut self) {
-        let radius = largest_radius(&self.particles);
-        let n = self.particles.len().max(1) as f64;
-        let mean = self.particles.iter().map(|p| p.radius).sum::<f64>() / n;
-        let fastest =
-            self.particles.iter().map(|p| p.velocity.length_squared()).fold(0.0, f64::max);
-        let travel = (fastest.sqrt() * self.dt).min(radius);
+        let sizes = Sizes::of(&self.particles, &self.team);
+        let (radius, mean) = (sizes.largest_radius, sizes.mean_radius);
+        let travel = (sizes.fastest * self.dt).min(radius);
         let skin = |density: f64| best_skin(mean, density, travel);
 
         let mut cells = Cells::default();
-        cells.lay_out(&self.particles, |density| 2.0 * radius + skin(density));
-        let mut order = cells.order(&self.particles, &self.ids);
+        cells.lay_out(&self.particles, &sizes, |density| 2.0 * radius + skin(density));
+        let mut order = cells.order(&self.particles, &self.ids, &self.team);
         self.store(&mut order);
         let skin = skin(cells.density);
         let Self { particles, ids, planes, .. } = self;
-        self.near.make(Listed { particles, ids, planes }, &cells, skin, &self.team);
+        self.near.make(Listed { particles, ids, planes }, &cells, &sizes, skin, &self.team);
     }
 
     /// Stores the discs in id order again.

@@ -1,9 +1,12 @@
 //! Square cells, row by row or column by column, and discs stored in their order.
 
+use std::mem::take;
 use std::ops::Range;
 
 use glam::{DVec2, Vec2Swizzles};
 
+use super::sizes::Sizes;
+use super::team::Team;
 use crate::particle::Particle;
 
 /// Discs looked at to learn where most of them are.
@@ -27,14 +30,12 @@ pub(super) struct Cells {
 
 impl Cells {
     /// Cells of at least `reach` (m) where most discs are, at most about one a disc.
-    pub fn lay_out(&mut self, particles: &[Particle], reach: impl Fn(f64) -> f64) {
+    pub fn lay_out(&mut self, particles: &[Particle], sizes: &Sizes, reach: impl Fn(f64) -> f64) {
         let n = particles.len().max(1);
         let (left, right) = usual_range(particles, |p| p.position.x);
         let (low, high) = usual_range(particles, |p| p.position.y);
         let (width, height) = (right - left, high - low);
-        let areas =
-            particles.iter().map(|p| p.radius * p.radius).sum::<f64>() * std::f64::consts::PI;
-        self.density = (areas / (width * height)).clamp(1e-3, 1.0);
+        self.density = (sizes.areas / (width * height)).clamp(1e-3, 1.0);
         let side = reach(self.density)
             .max((width * height / n as f64).sqrt())
             .max(width.max(height) / n as f64);
@@ -58,14 +59,11 @@ impl Cells {
     /// The order in which the discs are to be stored: for each place, where its disc is now. Discs of
     /// a cell follow each other by id, so that two at exactly one place are always the same first and
     /// second of their contact.
-    pub fn order(&mut self, particles: &[Particle], ids: &[u32]) -> Vec<u32> {
-        let cell_of = |p: &Particle| {
-            let (column, row) = self.column_and_row(p.position);
-            row * self.columns + column
-        };
+    pub fn order(&mut self, particles: &[Particle], ids: &[u32], team: &Team) -> Vec<u32> {
+        let cells = self.cells_of(particles, team);
         let mut starts = vec![0; self.columns * self.rows + 1];
-        for p in particles {
-            starts[cell_of(p)] += 1;
+        for &cell in &cells {
+            starts[cell as usize] += 1;
         }
         let mut end = 0;
         for start in &mut starts {
@@ -73,17 +71,46 @@ impl Cells {
             *start = end;
         }
         let mut order = vec![0; particles.len()];
-        for (now, p) in particles.iter().enumerate().rev() {
-            let start = &mut starts[cell_of(p)];
+        for (now, &cell) in cells.iter().enumerate().rev() {
+            let start = &mut starts[cell as usize];
             *start -= 1;
             order[*start as usize] = now as u32;
         }
-        for ends in starts.windows(2).filter(|ends| ends[1] - ends[0] > 1) {
-            let in_cell = &mut order[ends[0] as usize..ends[1] as usize];
-            in_cell.sort_unstable_by_key(|&now| ids[now as usize]);
-        }
         self.starts = starts;
+        self.order_by_id(&mut order, ids, team);
         order
+    }
+
+    /// The cell of each disc.
+    fn cells_of(&self, particles: &[Particle], team: &Team) -> Vec<u32> {
+        let mut cells = vec![0; particles.len()];
+        team.pieces(&mut cells, |first, cells| {
+            for (cell, p) in cells.iter_mut().zip(&particles[first..]) {
+                let (column, row) = self.column_and_row(p.position);
+                *cell = (row * self.columns + column) as u32;
+            }
+        });
+        cells
+    }
+
+    /// Puts those of each cell into ascending id.
+    fn order_by_id(&self, order: &mut [u32], ids: &[u32], team: &Team) {
+        let cells = self.columns * self.rows;
+        let each = cells.div_ceil(team.threads());
+        let mut order = order;
+        let shares = (0..cells).step_by(each).map(|first| {
+            let starts = &self.starts[first..=(first + each).min(cells)];
+            let length = starts[starts.len() - 1] - starts[0];
+            let (mine, rest) = take(&mut order).split_at_mut(length as usize);
+            order = rest;
+            (starts, mine)
+        });
+        team.each(shares.collect(), |(starts, order): (&[u32], &mut [u32])| {
+            for ends in starts.windows(2).filter(|ends| ends[1] - ends[0] > 1) {
+                let in_cell = (ends[0] - starts[0]) as usize..(ends[1] - starts[0]) as usize;
+                order[in_cell].sort_unstable_by_key(|&now| ids[now as usize]);
+            }
+        });
     }
 
     /// The places of discs in the same and the neighbouring cells of the disc at `place`, without
@@ -163,9 +190,10 @@ mod tests {
             let mut discs: Vec<_> =
                 (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
             let (reach, mut cells) = (0.05, Cells::default());
-            cells.lay_out(&discs, |_| reach);
+            let team = Team::of(3);
+            cells.lay_out(&discs, &Sizes::of(&discs, &team), |_| reach);
             let ids: Vec<u32> = (0..400).rev().collect();
-            put_in_order(&mut cells.order(&discs, &ids), |a, b| discs.swap(a, b));
+            put_in_order(&mut cells.order(&discs, &ids, &team), |a, b| discs.swap(a, b));
             for (a, p) in discs.iter().enumerate() {
                 let [here, above] = cells.ahead_of(a, p.position);
                 for (b, q) in discs.iter().enumerate().skip(a + 1) {

@@ -21,10 +21,8 @@ impl<L: LaneLaw + Sync> Crowd<L> {
 
     fn sum_of_blocks(&self, of_block: impl Fn(usize) -> f64 + Sync) -> f64 {
         let mut blocks = vec![0.0; self.particles.len().div_ceil(BLOCK)];
-        let each = blocks.len().div_ceil(self.team.threads()).max(1);
-        let shares = blocks.chunks_mut(each).enumerate();
-        self.team.each(shares.collect(), |(k, sums): (usize, &mut [f64])| {
-            sums.iter_mut().zip(k * each..).for_each(|(sum, block)| *sum = of_block(block));
+        self.team.pieces(&mut blocks, |first, sums| {
+            sums.iter_mut().zip(first..).for_each(|(sum, block)| *sum = of_block(block));
         });
         let mut total = Sum::default();
         blocks.iter().for_each(|sum| total.add(*sum));

@@ -79,6 +79,13 @@ impl Team {
         });
     }
 
+    /// Does `work` for pieces of `all`, one a thread; it is told which of all is the first of its piece.
+    pub fn pieces<T: Send>(&self, all: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
+        let each = all.len().div_ceil(self.threads()).max(1);
+        let pieces = all.chunks_mut(each).enumerate();
+        self.each(pieces.collect(), |(k, piece)| work(k * each, piece));
+    }
+
     /// Does `work` here and in every helper that comes before it is done.
     fn share_out(&self, _caller: &MutexGuard<()>, work: Work) {
         // SAFETY: a helper takes `work` from the desk under its lock, counting itself `busy` under the
@@ -192,6 +199,17 @@ mod tests {
                     assert_eq!(sums, (1..=shares).collect::<Vec<_>>());
                 }
             }
+        }
+    }
+
+    #[test]
+    fn pieces_are_all_there_is_and_know_where_they_begin() {
+        for (threads, n) in [(1, 0), (1, 5), (3, 2), (3, 3), (3, 10), (8, 9)] {
+            let mut all = vec![0; n];
+            Team::of(threads).pieces(&mut all, |first, piece| {
+                piece.iter_mut().zip(first..).for_each(|(here, k)| *here += k + 1);
+            });
+            assert_eq!(all, (1..=n).collect::<Vec<_>>());
         }
     }
 

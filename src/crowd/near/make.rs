@@ -1,14 +1,16 @@
-//! The making of a list: pairs, who takes part in which, and in which order.
+//! The making of a list: pairs, and discs near walls. Who takes part in which pairs: [`parts`].
+
+mod parts;
 
 use std::mem::take;
 
 use super::Near;
 use crate::crowd::BLOCK;
 use crate::crowd::cells::Cells;
+use crate::crowd::sizes::Sizes;
 use crate::crowd::team::Team;
 use crate::discs::Snapshot;
 use crate::force::HalfPlane;
-use crate::neighbours::largest_radius;
 use crate::particle::Particle;
 
 /// Half of the spacing of numbers in [1, 2) that a reference position is kept in.
@@ -28,12 +30,13 @@ pub(in crate::crowd) struct Listed<'a> {
 }
 
 impl Near {
-    /// A new list. `cells` tells where the discs, now stored cell by cell, lie; `skin` in m.
-    pub fn make(&mut self, listed: Listed, cells: &Cells, skin: f64, team: &Team) {
+    /// A new list. `cells` tells where the discs, of these `sizes` and now stored cell by cell, lie;
+    /// `skin` in m.
+    pub fn make(&mut self, listed: Listed, cells: &Cells, sizes: &Sizes, skin: f64, team: &Team) {
         self.skin = skin;
         self.list_pairs(listed.particles, cells, skin, team);
         self.list_the_rest(listed, skin, team);
-        self.refer_to(listed.particles);
+        self.refer_to(listed.particles, sizes, team);
         self.made += 1;
         self.is_there = true;
     }
@@ -52,23 +55,31 @@ impl Near {
     /// positions.
     pub fn list_anywhere(&mut self, listed: Listed, team: &Team) {
         let skin = 2.0 * self.skin;
-        self.list_pairs_anywhere(listed, skin);
+        self.list_pairs_anywhere(listed, skin, team);
         self.list_the_rest(listed, skin, team);
         self.is_there = true;
     }
 
     fn list_the_rest(&mut self, listed: Listed, skin: f64, team: &Team) {
-        let Listed { particles, ids, planes } = listed;
-        self.list_parts(particles.len());
-        self.order_parts(ids, team);
-        self.pairs_at_a_time = self.most_pairs_at_a_time();
-        self.place_parts_in_ring();
-        self.count_places_from_blocks();
+        self.count_places_from_blocks(team);
+        self.list_parts(listed.ids, team);
+        self.list_at_wall(listed, skin, team);
+    }
+
+    fn list_at_wall(&mut self, listed: Listed, skin: f64, team: &Team) {
+        let Listed { particles, planes, .. } = listed;
         let may_touch =
             |p: &Particle| planes.iter().any(|plane| plane.distance(p.position) < p.radius + skin);
+        let mut blocks = vec![Vec::new(); particles.len().div_ceil(BLOCK)];
+        team.pieces(&mut blocks, |first, blocks| {
+            let mut places = (first * BLOCK) as u32..;
+            for (block, discs) in blocks.iter_mut().zip(particles[first * BLOCK..].chunks(BLOCK)) {
+                let near = discs.iter().zip(&mut places).filter(|(p, _)| may_touch(p));
+                block.extend(near.map(|(_, place)| place));
+            }
+        });
         self.at_wall.clear();
-        let places = (0..particles.len() as u32).zip(particles);
-        self.at_wall.extend(places.filter(|(_, p)| may_touch(p)).map(|(place, _)| place));
+        blocks.iter().for_each(|block| self.at_wall.extend_from_slice(block));
     }
 
     fn list_pairs(&mut self, particles: &[Particle], cells: &Cells, skin: f64, team: &Team) {
@@ -95,11 +106,11 @@ impl Near {
     }
 
     /// The pairs of discs that are not stored cell by cell.
-    fn list_pairs_anywhere(&mut self, listed: Listed, skin: f64) {
+    fn list_pairs_anywhere(&mut self, listed: Listed, skin: f64, team: &Team) {
         let Listed { particles, ids, .. } = listed;
-        let mut cells = Cells::default();
-        cells.lay_out(particles, |_| 2.0 * largest_radius(particles) + skin);
-        let order = cells.order(particles, ids);
+        let (sizes, mut cells) = (Sizes::of(particles, team), Cells::default());
+        cells.lay_out(particles, &sizes, |_| 2.0 * sizes.largest_radius + skin);
+        let order = cells.order(particles, ids, team);
         self.pairs.clear();
         for (at, &place) in order.iter().enumerate() {
             let p = &particles[place as usize];
@@ -120,102 +131,53 @@ impl Near {
     }
 
     /// From now on discs are held against their present positions.
-    fn refer_to(&mut self, particles: &[Particle]) {
-        self.listed_at.clear();
-        self.listed_at.extend(particles.iter().map(|p| p.position.as_vec2().to_array()));
-        let farthest = particles.iter().map(|p| p.position.abs().max_element()).fold(0.0, f64::max);
+    fn refer_to(&mut self, particles: &[Particle], sizes: &Sizes, team: &Team) {
+        self.listed_at.resize(particles.len(), [0.0; 2]);
+        team.pieces(&mut self.listed_at, |first, listed_at| {
+            let discs = &particles[first..];
+            listed_at
+                .iter_mut()
+                .zip(discs)
+                .for_each(|(here, p)| *here = p.position.as_vec2().to_array());
+        });
         // A little less than half the skin, for rounding, and what f32 takes off.
-        let limit = 0.499 * self.skin - 2.0 * REFERENCE_ROUNDING * farthest;
+        let limit = 0.499 * self.skin - 2.0 * REFERENCE_ROUNDING * sizes.farthest;
         self.limit_squared = if limit > 0.0 { limit * limit } else { -1.0 };
     }
 
-    /// Fills in who takes part in which pairs, in the order of the pairs.
-    fn list_parts(&mut self, n: usize) {
-        let first = &mut self.first_triple;
-        first.clear();
-        first.resize(n + 1, 0);
-        for place in self.pairs.as_flattened() {
-            first[*place as usize] += 1;
-        }
-        let mut end = 0;
-        for first in first.iter_mut() {
-            (*first, end) = (end, end + first.div_ceil(3).max(1));
-        }
-        let mut next: Vec<u32> = first.iter().map(|first| 3 * first).collect();
-        self.triples.clear();
-        self.triples.resize(end as usize, [u32::MAX; 3]);
-        let parts = self.triples.as_flattened_mut();
-        for (part, place) in (0..).zip(self.pairs.as_flattened()) {
-            let next = &mut next[*place as usize];
-            parts[*next as usize] = part;
-            *next += 1;
-        }
-    }
-
-    /// Puts every disc's parts into ascending id of the partner.
-    fn order_parts(&mut self, ids: &[u32], team: &Team) {
-        let Self { pairs, first_triple, triples, reaches_back_to, .. } = self;
-        let partner = |part: u32| ids[pairs[part as usize / 2][1 - part as usize % 2] as usize];
-        let blocks = ids.len().div_ceil(BLOCK);
-        reaches_back_to.clear();
-        reaches_back_to.resize(blocks, u32::MAX);
-        let each = blocks.div_ceil(team.threads()).max(1);
-        let mut triples = &mut triples[..];
-        let shares = reaches_back_to.chunks_mut(each).enumerate().map(|(k, reaches_back_to)| {
-            let places = k * each * BLOCK..((k + 1) * each * BLOCK).min(ids.len());
-            let ends = &first_triple[places.start..=places.end];
-            let length = first_triple[places.end] - first_triple[places.start];
-            let (mine, rest) = take(&mut triples).split_at_mut(length as usize);
-            triples = rest;
-            (ends, mine, reaches_back_to)
-        });
-        team.each(shares.collect(), |(ends, triples, reaches_back_to)| {
-            order(ends, triples, reaches_back_to, partner);
-        });
-        // Whoever begins at a block has all later ones to do, too.
-        let mut lowest = u32::MAX;
-        for reach in reaches_back_to.iter_mut().rev() {
-            lowest = lowest.min(*reach);
-            *reach = lowest;
-        }
-    }
-
-    /// Names parts by where in the ring they will lie.
-    fn place_parts_in_ring(&mut self) {
-        let ring = 2 * self.pairs_at_a_time as u32;
-        let n = self.first_triple.len() - 1;
-        for (block, &from) in self.reaches_back_to.iter().enumerate() {
-            let places = [block * BLOCK, ((block + 1) * BLOCK).min(n)];
-            let [start, end] = places.map(|place| self.first_triple[place] as usize);
-            // The block's parts are at most once around the ring after this.
-            let round = if from == u32::MAX { 0 } else { 2 * from / ring * ring };
-            for part in self.triples[start..end].as_flattened_mut() {
-                *part = match *part {
-                    u32::MAX => ring,
-                    part if part - round < ring => part - round,
-                    part => part - round - ring,
-                };
-            }
-        }
-    }
-
-    fn count_places_from_blocks(&mut self) {
+    /// Counts the places in pairs from the first disc of the block of the lower, and finds how far blocks
+    /// reach ahead.
+    fn count_places_from_blocks(&mut self, team: &Team) {
+        let blocks = self.first_pair.len() - 1;
         self.reaches_ahead_to.clear();
-        let mut end = 0;
-        for block in 0..self.first_pair.len() - 1 {
-            let (pairs, first) = (self.pairs_of(block), (block * BLOCK) as u32);
-            for [a, b] in &mut self.pairs[pairs] {
-                end = end.max(*b + 1);
-                (*a, *b) = (*a - first, *b - first);
+        self.reaches_ahead_to.resize(blocks, 0);
+        let each = blocks.div_ceil(team.threads()).max(1);
+        let (mut pairs, first_pair) = (&mut self.pairs[..], &self.first_pair);
+        let shares = self.reaches_ahead_to.chunks_mut(each).enumerate().map(|(k, ends)| {
+            let first = k * each;
+            let [start, end] = [first, first + ends.len()].map(|block| first_pair[block] as usize);
+            let (mine, rest) = take(&mut pairs).split_at_mut(end - start);
+            pairs = rest;
+            (first, ends, mine)
+        });
+        team.each(shares.collect(), |(first, ends, mut pairs): (usize, _, &mut [[u32; 2]])| {
+            for (block, end) in (first..).zip::<&mut [u32]>(ends) {
+                let length = first_pair[block + 1] - first_pair[block];
+                let (mine, rest) = take(&mut pairs).split_at_mut(length as usize);
+                pairs = rest;
+                let first = (block * BLOCK) as u32;
+                for [a, b] in mine {
+                    *end = (*end).max(*b + 1);
+                    (*a, *b) = (*a - first, *b - first);
+                }
             }
-            self.reaches_ahead_to.push(end);
+        });
+        // Whoever is asked how far blocks up to one reach asks for all before it, too.
+        let mut farthest = 0;
+        for end in &mut self.reaches_ahead_to {
+            farthest = farthest.max(*end);
+            *end = farthest;
         }
-    }
-
-    fn most_pairs_at_a_time(&self) -> usize {
-        let ends = self.first_pair.iter().skip(1);
-        let needed = ends.zip(&self.reaches_back_to).map(|(&end, &from)| end.saturating_sub(from));
-        needed.max().unwrap_or(0).max(4) as usize // four are put there at a time
     }
 }
 
@@ -239,31 +201,5 @@ fn find_pairs(
                 }
             }
         }
-    }
-}
-
-/// Puts the parts of some discs into ascending id of the `partner`, and finds the first pair of each
-/// block. `ends` tells where the discs' parts begin in all triples; `triples` are those of them.
-fn order(
-    ends: &[u32],
-    triples: &mut [[u32; 3]],
-    reaches_back_to: &mut [u32],
-    partner: impl Fn(u32) -> u32,
-) {
-    let mut by_partner = Vec::new();
-    for (k, of_one) in ends.windows(2).enumerate() {
-        let of_one = (of_one[0] - ends[0]) as usize..(of_one[1] - ends[0]) as usize;
-        let parts = triples[of_one].as_flattened_mut();
-        let there = parts.iter().position(|&part| part == u32::MAX).unwrap_or(parts.len());
-        let parts = &mut parts[..there]; // none at the end
-        if let Some(first) = parts.first() {
-            let lowest = &mut reaches_back_to[k / BLOCK];
-            *lowest = (*lowest).min(first / 2);
-        }
-        by_partner.clear();
-        let keys = parts.iter().map(|&part| u64::from(partner(part)) << 32 | u64::from(part));
-        by_partner.extend(keys);
-        by_partner.sort_unstable();
-        parts.iter_mut().zip(&by_partner).for_each(|(part, &key)| *part = key as u32);
     }
 }
