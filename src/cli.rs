@@ -15,6 +15,7 @@ mod refusal;
 mod report;
 mod resume;
 mod run;
+mod signals;
 mod stepping;
 mod typed;
 mod watch;

@@ -398,7 +398,7 @@ mod signals {
 
     #[test]
     fn an_interrupted_run_ends_with_130_and_complete_files() {
-        for (signal, delay) in [("-INT", 300), ("-TERM", 150), ("-INT", 700)] {
+        for (signal, delay) in [("-INT", 300), ("-TERM", 150), ("-HUP", 700)] {
             let (output, folder) = interrupted(signal, Duration::from_millis(delay));
             assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
             let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -420,6 +420,34 @@ mod signals {
             assert!(read("last-run.toml").contains("# result: interrupted = true"));
             assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 5); // and a checkpoint
         }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_run_under_nohup_goes_on_when_the_terminal_closes() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut child = std::process::Command::new("nohup")
+            .args([env!("CARGO_BIN_EXE_parsim2d"), "-n", "20", "--time", "100", "--slowdown", "3"])
+            .current_dir(&folder)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        while !folder.path().join("out.txt").exists() {
+            assert!(child.try_wait().unwrap().is_none(), "the run does not start");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        let id = child.id().to_string();
+        let send = |signal: &str| {
+            assert!(
+                std::process::Command::new("kill").args([signal, &id]).status().unwrap().success()
+            );
+            std::thread::sleep(Duration::from_millis(500)); // it ends in some 20 ms if it heeds it
+        };
+        send("-HUP");
+        assert!(child.try_wait().unwrap().is_none(), "SIGHUP was to be ignored");
+        send("-TERM");
+        assert_eq!(child.wait_with_output().unwrap().status.code(), Some(130));
     }
 
     #[cfg(target_os = "linux")]

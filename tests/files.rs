@@ -252,6 +252,24 @@ fn assert_no_temporaries(folder: &Path) {
 }
 
 #[test]
+fn what_a_run_killed_at_its_start_left_goes_with_the_next_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let left = ["out.txt.12345.tmp", "energy.csv.7.tmp", "parsim2d.ckpt.31.tmp"];
+    let own = ["out.txt.tmp", "notes.12.tmp", "out.txt.old.tmp"];
+    for name in left.iter().chain(&own) {
+        fs::write(folder.path().join(name), "some bytes").unwrap();
+    }
+    let mut command = Command::cargo_bin("parsim2d").unwrap();
+    command.current_dir(&folder).args(["--time", "1ms", "-q"]).assert().success();
+    for name in left {
+        assert!(!folder.path().join(name).exists(), "{name}");
+    }
+    for name in own {
+        assert_eq!(read(&folder, name), "some bytes");
+    }
+}
+
+#[test]
 fn a_trajectory_cut_anywhere_is_told_from_a_whole_one() {
     let folder = run("-n 5 --time 1ms --seed 3");
     let whole = read(&folder, "trajectory.txt");

@@ -155,6 +155,37 @@ fn runs_killed_at_any_moment_end_in_the_bytes_of_a_run_never_killed() {
 }
 
 #[test]
+fn a_prolonged_run_that_is_killed_at_once_goes_on_to_its_new_end() {
+    let case = "-n 30 --radius 5e-4 --seed 1 --time 20ms -q --every 50 --energy-every 50";
+    let (whole, _) = {
+        let case = case.replace("20ms -q", "0.04 --json");
+        reference(&format!("{case} --checkpoint-every 1h"))
+    };
+    for with in ["--checkpoint-every 1h", ""] {
+        let folder = tempfile::tempdir().unwrap();
+        match with {
+            "" => drop(interrupted(folder.path(), case, "-INT")),
+            _ => assert!(outcome(folder.path(), &format!("{case} {with}")).status.success()),
+        }
+        let before = fs::read(folder.path().join(FILE)).unwrap();
+        let mut child =
+            parsim2d(folder.path(), "resume --time 40ms --slowdown 200").spawn().unwrap();
+        let begun = Instant::now();
+        while fs::read(folder.path().join(FILE)).unwrap() == before {
+            assert!(begun.elapsed() < Duration::from_secs(20), "the new end is not kept");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(outcome(folder.path(), "resume --slowdown 1e-6").status.success());
+        for name in ["out.txt", "trajectory.txt", "energy.csv"] {
+            let read = |folder: &TempDir| fs::read_to_string(folder.path().join(name)).unwrap();
+            assert!(read(&folder) == read(&whole), "{name} {with}");
+        }
+    }
+}
+
+#[test]
 fn a_run_is_prolonged_to_the_bytes_of_the_longer_run() {
     let short = "-n 30 --radius 5e-4 --seed 1 --json";
     let folder = tempfile::tempdir().unwrap();

@@ -1,8 +1,10 @@
-//! Ctrl-C and SIGTERM: once ends the run with complete files, twice ends it at once.
+//! Ctrl-C and its kin: once ends the run with complete files, twice ends it at once.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+
+use super::signals::heed;
 
 /// The exit code of an interrupted program.
 const INTERRUPTED: i32 = 130;
@@ -24,8 +26,7 @@ impl Interrupt {
         let interrupt = Self { is_raised, has_files };
         let (is_raised, has_files) = (interrupt.is_raised.clone(), interrupt.has_files.clone());
         let first = Mutex::new(None::<Instant>);
-        // Without a handler a signal ends the program at once, which is all that is lost.
-        let _ = ctrlc::set_handler(move || {
+        heed(move || {
             is_raised.store(true, Ordering::Relaxed);
             let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
             let first = *first.get_or_insert_with(Instant::now);

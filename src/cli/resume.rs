@@ -114,20 +114,28 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
         .map_err(|why| not_continued(&file, why))?;
     say_all(&scenario, note.as_slice());
     say_where(&scenario, progress, &file);
-    let origin = Origin {
+    let origin = origin(&scenario, progress, has_new_end, folder);
+    // Only the latest checkpoint of the folder may become the previous one.
+    let is_latest = file.file_name().is_some_and(|name| name == checkpoint::FILE);
+    let last = (is_latest && arguments.out_dir.is_none()).then_some(progress.step);
+    let mut stepping =
+        Stepping::resume(&scenario, simulation, recorder, origin, memory(progress), last);
+    if has_new_end {
+        stepping.keep_end();
+    }
+    conclude(stepping, &interrupt)
+}
+
+/// What the run that goes on in `folder` was begun with.
+fn origin(scenario: &Scenario, progress: &Progress, has_new_end: bool, folder: &Path) -> Origin {
+    Origin {
         command: match has_new_end {
             true => with_new_end(&progress.command, scenario.time, &progress.written),
             false => progress.command.clone(),
         },
         overlap: progress.overlap_at_start,
         resumed: Some(folder.join(record::FILE)),
-    };
-    // Only the latest checkpoint of the folder may become the previous one.
-    let is_latest = file.file_name().is_some_and(|name| name == checkpoint::FILE);
-    let last = (is_latest && arguments.out_dir.is_none()).then_some(progress.step);
-    let stepping =
-        Stepping::resume(&scenario, simulation, recorder, origin, memory(progress), last);
-    conclude(stepping, &interrupt)
+    }
 }
 
 /// The simulation of `scenario` in the state that the checkpoint of this `progress` has in its `arrays`, or

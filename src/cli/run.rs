@@ -84,7 +84,7 @@ pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<
     let command = format!("{} = {}", record::COMMAND, typed::line(&stepping.origin.command));
     stepping.record_results(&[vec![command], summary.results()].concat())?;
     match report(scenario, &summary, stepping.origin.overlap) {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {} // nobody listens any more
+        Err(error) if is_unheard(&error) => {}
         done => done?,
     }
     let is_stopped = stepping.is_stopped();
@@ -103,6 +103,12 @@ pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<
     let way_back = way_back.unwrap_or("no good state was left to go on from".to_owned());
     say(scenario, &format!("interrupted; {way_back}"));
     Ok(ExitCode::from(130))
+}
+
+/// Whether nobody listens any more: a pipe or a terminal was closed.
+fn is_unheard(error: &io::Error) -> bool {
+    const EIO: i32 = 5; // on every Unix; what writing to a closed terminal gives
+    error.kind() == io::ErrorKind::BrokenPipe || cfg!(unix) && error.raw_os_error() == Some(EIO)
 }
 
 /// Where to give the flags that the `failure` of a resumed run names: `resume` takes none of them.

@@ -75,6 +75,14 @@ impl<'a> Stepping<'a> {
         self.guard.memory().start.total()
     }
 
+    /// Keeps the end that was just given, before the first step to it: a run that is killed goes on to that end.
+    pub fn keep_end(&mut self) {
+        if !self.is_done() && self.is_good() {
+            let kept = self.keep();
+            self.complain(kept);
+        }
+    }
+
     /// Steps to the end, or until `stop` says so or something goes wrong; every file then has the
     /// last good state, and there is a checkpoint if the run is to go on later.
     pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {

@@ -6,6 +6,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use self::continued::FILES;
 use super::OutputError;
 use super::checkpoint::{self, refuse_foreign};
 use super::energy::EnergyFile;
@@ -13,7 +14,7 @@ use super::failure;
 use super::live::LiveFrame;
 use super::live_writer::LiveWriter;
 use super::record;
-use super::replace::NewFile;
+use super::replace::{NewFile, remove_temporaries};
 use super::trajectory::Trajectory;
 use crate::analysis::energy::EnergyLedger;
 use crate::simulation::Simulation;
@@ -55,11 +56,8 @@ impl Recorder {
     /// Opens the work ledger of `simulation` if there is to be an `energy.csv`.
     pub fn create(plan: &OutputPlan, simulation: &mut Simulation) -> Result<Self, OutputError> {
         let folder = &plan.folder;
-        refuse_foreign(folder)?;
-        if record::is_foreign(folder) {
-            return Err(OutputError::ForeignRecord { path: folder.join(record::FILE) });
-        }
-        make_folder(folder)?;
+        make_ready(folder)?;
+        remove_temporaries(folder, &FILES); // of a run that was killed at its start
         let new = |name: &str| NewFile::create(&folder.join(name));
         let (live, trajectory) = (new("out.txt")?, new("trajectory.txt")?);
         let energy = if plan.energy_every > 0 { Some(new("energy.csv")?) } else { None };
@@ -184,6 +182,15 @@ impl Recorder {
             None => Ok(()),
         }
     }
+}
+
+/// Makes `folder` if it is not there; refuses one with a file in it that is nobody's of ours.
+fn make_ready(folder: &Path) -> Result<(), OutputError> {
+    refuse_foreign(folder)?;
+    if record::is_foreign(folder) {
+        return Err(OutputError::ForeignRecord { path: folder.join(record::FILE) });
+    }
+    make_folder(folder)
 }
 
 /// Makes the folder if it is not there.

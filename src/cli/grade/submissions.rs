@@ -9,6 +9,7 @@ use super::error::GradeError;
 use super::exit_code;
 use super::sheets::Sheets;
 use crate::cli::Failure;
+use crate::cli::signals::heed;
 use crate::grade::rubric::Rubric;
 use crate::marking::Marker;
 use crate::marking::program::Course;
@@ -59,8 +60,8 @@ fn is_class(folder: &Path) -> bool {
 pub(super) fn open(arguments: &GradeArguments) -> Result<Workshop, GradeError> {
     let choice = Choice { allow_unsandboxed: arguments.allow_unsandboxed, ..Choice::default() };
     let workshop = Workshop::open(&choice).map_err(GradeError::Closed)?;
-    // Without a handler a signal would leave copies of submissions behind.
-    let _ = ctrlc::set_handler(|| {
+    // Unheeded, a signal would leave copies of submissions behind.
+    heed(|| {
         eprintln!("interrupted; sheets of what was graded are where they were to be written");
         remove_private_folders();
         std::process::exit(130);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::{OutputPlan, Recorder, make_folder, remove_if_there};
+use super::{OutputPlan, Recorder, make_ready, remove_if_there};
 use crate::analysis::energy::EnergyLedger;
 use crate::output::energy::EnergyFile;
 use crate::output::growing::Extent;
@@ -22,7 +22,7 @@ const ENERGY: &str = "energy.csv";
 const LIVE: &str = "out.txt";
 
 /// Every file that a run may be writing when it is killed.
-const FILES: [&str; 7] =
+pub(super) const FILES: [&str; 7] =
     [LIVE, TRAJECTORY, ENERGY, record::FILE, failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
 
 /// How far the files of a run had come.
@@ -167,11 +167,7 @@ fn copy(
     folder: &Path,
     files: impl Iterator<Item = (&'static str, Extent)>,
 ) -> Result<(), OutputError> {
-    super::refuse_foreign(folder)?;
-    if record::is_foreign(folder) {
-        return Err(OutputError::ForeignRecord { path: folder.join(record::FILE) });
-    }
-    make_folder(folder)?;
+    make_ready(folder)?;
     let mut copies = Vec::new();
     for (name, extent) in files {
         let (from, to) = (from.join(name), folder.join(name));
