@@ -22,8 +22,8 @@ mod linux;
 
 pub use choice::{Choice, Errand, Limits, Submission};
 #[cfg(not(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64"))))]
-pub use elsewhere::{Made, Workshop, jail_if_asked, remove_private_folders};
+pub use elsewhere::{Made, PrivateFolder, Workshop, jail_if_asked, remove_private_folders};
 #[cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
-pub use linux::{Made, Workshop, jail_if_asked, remove_private_folders};
+pub use linux::{Made, PrivateFolder, Workshop, jail_if_asked, remove_private_folders};
 pub use outcome::{Film, Outcome, Run, Step};
 pub use tier::{Closed, Refused, Tier};

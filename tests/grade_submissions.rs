@@ -166,3 +166,59 @@ fn files_that_are_open_when_the_grader_starts_do_not_reach_submissions() {
     let said = String::from_utf8_lossy(&graded.stdout);
     assert!(said.contains("looked") && !said.contains("open:"), "{said}");
 }
+
+#[test]
+fn a_proof_of_folders_that_describe_nothing_is_refused_with_a_way_out() {
+    let place = tempfile::tempdir().unwrap();
+    fs::create_dir(place.path().join("Ada")).unwrap();
+    fs::write(place.path().join("Ada/Makefile"), "all:\n").unwrap();
+    let folder = place.path().to_str().unwrap();
+    // With nothing else, beside one that is described, a file alone, and nothing of that name.
+    for which in [&[folder][..], &["right/euler", folder], &["README.md"], &["nobody"]] {
+        let refused = grade(&[&["--proof"], which].concat());
+        let why = String::from_utf8_lossy(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2), "{which:?}: {why}");
+        assert!(why.contains("submission.toml") && why.contains("way out"), "{why}");
+        assert!(refused.stdout.is_empty(), "{}", String::from_utf8_lossy(&refused.stdout));
+    }
+}
+
+#[test]
+fn an_interrupted_proof_leaves_no_folder_and_others_could_not_look_into_it() {
+    use std::os::unix::fs::PermissionsExt;
+    if !can_grade() {
+        return;
+    }
+    let temporary = tempfile::tempdir().unwrap();
+    let folders = || fs::read_dir(temporary.path()).unwrap().map(|entry| entry.unwrap().path());
+    let mut proof = Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+        .args(["grade", "--proof", "wrong/takes_for_ever"])
+        .current_dir(corpus())
+        .env("TMPDIR", temporary.path())
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    // Its description is laid out in one folder, built and run in another.
+    let is_running = || {
+        let holds = |inner: &str| folders().any(|folder| folder.join(inner).exists());
+        holds("work/0/takes_for_ever/Makefile") && holds("work/parSim2D")
+    };
+    for _ in 0..3000 {
+        if is_running() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    assert!(is_running(), "not within a minute: {:?}", folders().collect::<Vec<_>>());
+    for folder in folders() {
+        let name = folder.file_name().unwrap().to_str().unwrap().to_owned();
+        assert!(!name.contains(&proof.id().to_string()), "{name} can be guessed");
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        assert_eq!((mode(&folder), mode(&folder.join("work"))), (0o711, 0o700), "{name}");
+    }
+    let pid = nix::unistd::Pid::from_raw(proof.id() as i32);
+    nix::sys::signal::kill(pid, nix::sys::signal::Signal::SIGINT).unwrap();
+    assert_eq!(proof.wait().unwrap().code(), Some(130));
+    assert_eq!(folders().collect::<Vec<_>>(), Vec::<PathBuf>::new());
+}

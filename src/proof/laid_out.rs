@@ -9,10 +9,11 @@ use super::{DESCRIPTION, ProofError};
 /// Makes the folder of `described` within `place`, and says where it is: the files of its base and that
 /// one's edits first, then its own edits, then its own files over these.
 ///
-/// Fails where a text to be exchanged does not occur exactly once, or a file cannot be written.
+/// `place` must be there. Fails where a text to be exchanged does not occur exactly once, or a file cannot be written.
 pub fn lay_out(described: &Described, place: &Path) -> Result<PathBuf, ProofError> {
     let folder = place.join(described.name());
-    fs::create_dir_all(&folder).map_err(ProofError::file(&folder))?;
+    // Only the last part: if all is being removed, it must not come back.
+    fs::create_dir(&folder).map_err(ProofError::file(&folder))?;
     for base in described.bases.iter().rev() {
         lay_over(&Described::read(base)?, &folder)?;
     }
@@ -54,7 +55,9 @@ fn copy_files(from: &Path, to: &Path) -> Result<(), ProofError> {
         let entry = entry.map_err(ProofError::file(from))?;
         let (here, there) = (entry.path(), to.join(entry.file_name()));
         if here.is_dir() {
-            fs::create_dir_all(&there).map_err(ProofError::file(&there))?;
+            if !there.is_dir() {
+                fs::create_dir(&there).map_err(ProofError::file(&there))?;
+            }
             copy_files(&here, &there)?;
         } else if entry.file_name() != DESCRIPTION {
             fs::copy(&here, &there).map_err(ProofError::file(&here))?;

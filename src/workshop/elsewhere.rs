@@ -51,7 +51,25 @@ impl Workshop {
     /// # Errors
     ///
     /// Cannot be called.
+    pub fn private_folder(&self) -> Result<PrivateFolder, Closed> {
+        match self.0 {}
+    }
+
+    /// # Errors
+    ///
+    /// Cannot be called.
     pub fn make(&self, _: &Submission, _: &Limits) -> Result<Made<'_>, Closed> {
+        match self.0 {}
+    }
+}
+
+/// A folder of the caller's own; here there is none.
+#[derive(Debug)]
+pub struct PrivateFolder(Infallible);
+
+impl PrivateFolder {
+    /// Where it is; cannot be called.
+    pub fn path(&self) -> PathBuf {
         match self.0 {}
     }
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::grade::check::Check;
+use crate::proof::DESCRIPTION;
 
 /// Why nothing was graded: bad usage, every time.
 #[derive(Debug, thiserror::Error)]
@@ -19,6 +20,12 @@ pub(in crate::cli) enum GradeError {
     Command(String),
     #[error("{} is no folder of a submission\n  way out: parsim2d grade --frames FILE grades a file of frames", path.display())]
     NoFolder { path: PathBuf },
+    #[error(
+        "{} is no folder of described submissions: neither it nor a folder in it has a {DESCRIPTION}\n  \
+         way out: leave out --proof to grade it; the format of {DESCRIPTION} is in tests/submissions/README.md of the sources",
+        path.display()
+    )]
+    Undescribed { path: PathBuf },
     #[error(transparent)]
     Closed(crate::workshop::Closed),
     #[error(transparent)]

@@ -13,7 +13,6 @@ use super::error::GradeError;
 use super::sheets::Sheets;
 use super::{exit_code, submissions};
 use crate::cli::Failure;
-use crate::grade::check::Check;
 use crate::grade::rubric::program::Program;
 use crate::grade::rubric::{Law, Rubric};
 use crate::marking::Marker;
@@ -28,13 +27,21 @@ use crate::workshop::Workshop;
 pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     let mut folders = Vec::new();
     for path in &arguments.submissions {
-        folders.extend(folders_at(path).map_err(GradeError::Proof)?);
+        let found = folders_at(path).map_err(GradeError::Proof)?;
+        // A file beside the folders, as a README of theirs, is none of them.
+        if found.is_empty() && !path.is_file() {
+            return Err(GradeError::Undescribed { path: path.clone() }.into());
+        }
+        folders.extend(found);
+    }
+    if folders.is_empty() {
+        return Err(GradeError::Undescribed { path: arguments.submissions[0].clone() }.into());
     }
     let read = |folder: &PathBuf| Described::read(folder);
     let described: Vec<Described> =
         folders.iter().map(read).collect::<Result<_, _>>().map_err(GradeError::Proof)?;
     let workshop = submissions::open(arguments)?;
-    let place = Place::new().map_err(GradeError::Proof)?;
+    let place = workshop.private_folder().map_err(GradeError::Closed)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
     let sheets = Sheets::open(&arguments.sheets, &names)?;
     let outcomes: Mutex<BTreeMap<usize, Outcome>> = Mutex::default();
@@ -43,7 +50,7 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
         folders,
         arguments.jobs(),
         |k, _| {
-            let graded = grade_one(&described[k], k, &place.0, &workshop, seed)?;
+            let graded = grade_one(&described[k], k, &place.path(), &workshop, seed)?;
             let outcome = Outcome::of(&described[k], &graded.report);
             outcomes.lock().map_err(|why| why.to_string())?.insert(k, outcome);
             Ok(graded)
@@ -78,7 +85,9 @@ fn grade_one(
     seed: u64,
 ) -> Result<Graded, String> {
     let said = |why: ProofError| why.to_string();
-    let folder = lay_out(described, &place.join(k.to_string())).map_err(said)?;
+    let own = place.join(k.to_string());
+    fs::create_dir(&own).map_err(|why| format!("{}: {why}", own.display()))?;
+    let folder = lay_out(described, &own).map_err(said)?;
     let mut rubric = rubric_of(described);
     rubric.program.seed = seed;
     let course = Course::of(rubric)?;
@@ -97,14 +106,7 @@ fn group(path: &Path) -> String {
 fn rubric_of(described: &Described) -> Rubric {
     let physics = &described.physics;
     let usual = Rubric::default();
-    let expected = described.expected.check.as_deref();
-    let asks = |check: Check| expected == Some(check.id());
     let usual_program = Program::default();
-    // Only make can be told to build otherwise.
-    let otherwise = |commands: &[String], check| match described.build == "make" && asks(check) {
-        true => commands.to_vec(),
-        false => Vec::new(),
-    };
     Rubric {
         n: vec![described.n],
         radius: physics.radius.map_or(usual.radius.clone(), |radius| vec![radius]),
@@ -120,30 +122,8 @@ fn rubric_of(described: &Described) -> Rubric {
             n: described.n,
             frames: if described.frames == 0 { usual_program.frames } else { described.frames },
             extra_rows: described.extra_rows,
-            many: if asks(Check::Many) { usual_program.many } else { 0 },
-            warnings: otherwise(&usual_program.warnings, Check::Warnings),
-            sanitizer: otherwise(&usual_program.sanitizer, Check::Sanitizer),
             ..usual_program
         },
         ..usual
-    }
-}
-
-/// A folder for the time of the proof.
-struct Place(PathBuf);
-
-impl Place {
-    fn new() -> Result<Self, ProofError> {
-        let path = std::env::temp_dir().join(format!("parsim2d-proof-{}", std::process::id()));
-        match fs::create_dir_all(&path) {
-            Ok(()) => Ok(Self(path)),
-            Err(source) => Err(ProofError::File { path, source }),
-        }
-    }
-}
-
-impl Drop for Place {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0); // gone or not, it was temporary
     }
 }

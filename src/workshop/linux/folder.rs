@@ -5,11 +5,12 @@ use std::fs::{self, DirBuilder, File, OpenOptions, Permissions};
 use std::io;
 use std::os::unix::fs::{DirBuilderExt, MetadataExt, OpenOptionsExt, PermissionsExt, chown};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use nix::libc;
 use nix::sys::statvfs::statvfs;
+use rand::TryRng;
+use rand::rngs::SysRng;
 
 /// Entries that are looked at when the use of a folder is added up; with more it counts as full.
 const ENTRIES: usize = 20_000;
@@ -23,17 +24,15 @@ pub(super) struct Folder {
 impl Folder {
     /// A new one among the temporary files; what is in `work` and `scratch` belongs to `owner`.
     pub fn new(owner: Option<u32>) -> io::Result<Self> {
-        static COUNT: AtomicU64 = AtomicU64::new(0);
-        // Others may pass through, for the uid of the submission must, but see nothing.
+        // Others may pass through, for the uid of the submission must, but see nothing. Nobody can guess the
+        // name and put something of that name there first.
         let make = || {
-            let count = COUNT.fetch_add(1, Ordering::Relaxed);
-            let name = format!("parsim2d-{}-{count}", std::process::id());
-            let root = std::env::temp_dir().join(name);
+            let drawn = SysRng.try_next_u64().map_err(io::Error::other)?;
+            let root = std::env::temp_dir().join(format!("parsim2d-{drawn:016x}"));
             DirBuilder::new().mode(0o711).create(&root).map(|()| root)
         };
         let mut there = there();
         let mut made = make();
-        // Left by one of the same number that was killed, or put there by somebody.
         while matches!(&made, Err(why) if why.kind() == io::ErrorKind::AlreadyExists) {
             made = make();
         }
