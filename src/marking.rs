@@ -19,6 +19,7 @@ use crate::grade::film::Film;
 use crate::grade::frames::Footage;
 use crate::grade::rubric::program::Program;
 use crate::grade::verdict::{Failure, Report, Status};
+use crate::grade::words::Note;
 use crate::grade::{add_film, add_many};
 use crate::sheet::Graded;
 use crate::workshop::{self, Closed, Limits, Made, Outcome, Run, Submission, Workshop};
@@ -38,7 +39,9 @@ impl Marker<'_> {
     /// Fails if the machine does; what the submission does wrong is on the sheet.
     pub fn mark(&self, folder: &Path, seen: impl Fn(&Graded)) -> Result<Graded, Closed> {
         let started = Instant::now();
-        let name = folder.file_name().unwrap_or_default().to_string_lossy();
+        // `.` has a name as well.
+        let whole = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+        let name = folder.file_name().or(whole.file_name()).unwrap_or_default().to_string_lossy();
         let report = Report::of_submission(&self.course.rubric);
         let mut graded = Graded::new(&name, &folder.display().to_string(), report);
         let tier = self.workshop.tier();
@@ -86,10 +89,16 @@ impl Marker<'_> {
             return Ok(());
         }
         seen(graded);
-        let run = self.film_of(&made, graded)?;
+        let is_old = self.is_handed_in(folder, &made);
+        graded.report.notes.extend(is_old.then_some(Note::ProgramNotRebuilt));
+        let run = self.film_of(&made, is_old, graded)?;
         seen(graded);
         if graded.report.passed(Check::Runs) {
             self.judge_motion(&run, graded);
+            // Frames that hold too little, or too few discs, may want what was asked for.
+            let is_poor = [Check::Frames, Check::Discs].map(|check| graded.report.failed(check));
+            let is_poor = run.asked_for_more && is_poor.contains(&true);
+            graded.report.notes.extend(is_poor.then_some(Note::AsksForInput));
             seen(graded);
             self.many(&made, graded)?;
             seen(graded);
@@ -135,8 +144,20 @@ impl Marker<'_> {
         }
     }
 
-    /// Runs it as the rubric says, and decides `runs`.
-    fn film_of(&self, made: &Made, graded: &mut Graded) -> Result<Run, Closed> {
+    /// Whether the program to be run is the one that was handed in: the build did not make it anew.
+    fn is_handed_in(&self, folder: &Path, made: &Made) -> bool {
+        let program = self.course.run.first().and_then(|program| program.strip_prefix("./"));
+        let Some(program) = program.filter(|_| !self.course.build.is_empty()) else { return false };
+        // A copy keeps the time.
+        let age = |folder: &Path| {
+            let found = fs::symlink_metadata(folder.join(program)).ok()?;
+            Some((found.is_file(), found.len(), found.modified().ok()?))
+        };
+        age(folder).is_some_and(|age_of_old| age(&made.folder()) == Some(age_of_old))
+    }
+
+    /// Runs it as the rubric says, and decides `runs`. `is_old`: it was handed in.
+    fn film_of(&self, made: &Made, is_old: bool, graded: &mut Graded) -> Result<Run, Closed> {
         let program = self.course.program();
         let before = newly_written(&made.folder(), &[]);
         let errand = self.course.errand(program.n, program.frames);
@@ -145,6 +166,7 @@ impl Marker<'_> {
         graded.log.push_str(&run.log);
         graded.report.decide(Check::Runs, || match ended(&run, &others, program) {
             Ended::Well => Status::Passed,
+            Ended::Badly(failure) if is_old => Status::Failed(failure.of_a_program_handed_in()),
             Ended::Badly(failure) => Status::Failed(failure),
         });
         Ok(run)
@@ -169,7 +191,7 @@ impl Marker<'_> {
     /// A box of many, if the program can be told how many.
     fn many(&self, made: &Made, graded: &mut Graded) -> Result<(), Closed> {
         let program = self.course.program();
-        let is_asked = program.many > 0 && self.course.tells_n();
+        let is_asked = program.many > 0 && program.tells_n();
         // What is wrong with a few is wrong with many: one mistake, one check.
         let wrong =
             graded.report.failures().map(|(check, _)| check).find(|check| check.is_of_frames());
@@ -206,10 +228,27 @@ fn files(made: &Made) -> Status {
     let missing = made.missing.iter().filter(is_missing);
     let missing: Vec<_> = missing.map(|file| file.to_string_lossy()).collect();
     let missing: Vec<&str> = missing.iter().map(AsRef::as_ref).collect();
+    let packed = archives(&made.folder());
+    let packed: Vec<&str> = packed.iter().map(String::as_str).collect();
     match missing[..] {
         [] => Status::Passed,
-        _ => Status::Failed(Failure::files_missing(&missing)),
+        _ => Status::Failed(Failure::files_missing(&missing, &packed)),
     }
+}
+
+/// Names of the archives in a folder.
+fn archives(folder: &Path) -> Vec<String> {
+    const ENDINGS: [&str; 9] = ["zip", "tar", "gz", "tgz", "bz2", "xz", "zst", "7z", "rar"];
+    let is_archive = |name: &String| {
+        let ending = Path::new(name).extension().and_then(|ending| ending.to_str());
+        ending.is_some_and(|ending| ENDINGS.contains(&ending.to_lowercase().as_str()))
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let files = entries.filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_file()));
+    let names = files.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut archives: Vec<String> = names.filter(is_archive).collect();
+    archives.sort();
+    archives
 }
 
 fn footage(film: &workshop::Film) -> Footage<'_> {

@@ -6,7 +6,12 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
+
+#[path = "support/handed_in.rs"]
+mod handed_in;
+
+use handed_in::{can_grade, corpus, grade};
 
 /// Of each stage at which a submission can go wrong, and of each kind of harm.
 const SHORT: [&str; 24] = [
@@ -35,36 +40,6 @@ const SHORT: [&str; 24] = [
     "hostile/out_is_a_link",
     "hostile/leaves_a_child",
 ];
-
-fn corpus() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/submissions")
-}
-
-fn grade(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_parsim2d"))
-        .arg("grade")
-        .args(arguments)
-        .current_dir(corpus())
-        .output()
-        .unwrap()
-}
-
-/// Whether submissions can be built and run here; says loudly if not.
-fn can_grade() -> bool {
-    let tools = ["make", "g++", "python3"];
-    let is_there = |tool: &&str| Command::new(tool).arg("--version").output().is_ok();
-    if let Some(tool) = tools.iter().find(|tool| !is_there(tool)) {
-        eprintln!("NOT TESTED: there is no {tool}, so no submission can be built");
-        return false;
-    }
-    let doctor = Command::new(env!("CARGO_BIN_EXE_parsim2d")).args(["doctor", "--json"]).output();
-    let found: serde_json::Value = serde_json::from_slice(&doctor.unwrap().stdout).unwrap();
-    if found["sandbox"]["tier"].is_null() {
-        eprintln!("NOT TESTED: no sandbox works here: {}", found["sandbox"]["error"]);
-        return false;
-    }
-    true
-}
 
 #[test]
 fn submissions_with_known_mistakes_lose_the_right_points_for_the_right_reason() {

@@ -435,6 +435,8 @@ fn pages_are_well_formed_and_bring_no_element_and_no_address_of_a_submission() {
         assert!(!page.contains(['\u{1b}', '\u{202e}', '\0']) && !text.is_empty());
     }
     assert!(pages[3].contains("&lt;script&gt;alert(1)"), "it is shown as text");
+    // On a narrow page they move aside, and no word is cut.
+    assert_eq!(class_page.matches("<div class=\"wide\">\n<table>").count(), 2, "{class_page}");
     assert!(class_page.contains("does_not_build") && class_page.contains("2 of 6"), "{class_page}");
 }
 
@@ -447,7 +449,7 @@ fn a_sheet_says_what_is_wrong_what_it_looks_like_how_it_was_graded_and_stays_kin
         "updated with the old velocity",
         "which velocity moves the disc",
         "1 of 2 points",
-        "A: bubblewrap",
+        "time that grading took, s",
         "parsim2d 0.",
         "0.04",
         "It costs no points.",
@@ -456,6 +458,7 @@ fn a_sheet_says_what_is_wrong_what_it_looks_like_how_it_was_graded_and_stays_kin
     ] {
         assert!(pages[2].contains(part), "{part:?} is not in\n{}", pages[2]);
     }
+    assert!(!pages[2].contains("bubblewrap"), "how it was kept apart is for instructors");
     let hidden = "id=\"box\"";
     assert!(pages[0].contains(hidden) && !pages[2].contains(hidden), "the rubric hides it");
     assert!(pages[2].contains("id=\"start\""), "handed back after the due date");

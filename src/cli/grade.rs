@@ -19,7 +19,7 @@ use self::explain::explain;
 use self::sheets::Sheets;
 use super::Failure;
 use crate::grade::rubric::{COMMENTED, Rubric};
-use crate::sheet::plain::one_line;
+use crate::sheet::plain::{one_line, short_names};
 use crate::sheet::{Entry, Graded};
 
 pub(super) use self::arguments::GradeArguments;
@@ -31,7 +31,7 @@ Examples:
   parsim2d grade submissions/* --rubric course.toml --out-dir done -j 4
   parsim2d grade --frames out.txt                    faces, points, causes and hints
   parsim2d grade --frames a.txt b.txt --json         for a script; ids are stable
-  parsim2d grade --frames a.txt b.txt --out-dir done  a page to hand back for each, and class.html, class.csv
+  parsim2d grade --frames a.txt b.txt --out-dir films  a page to hand back for each, and class.html, class.csv
   parsim2d grade --frames out.txt --format gradescope  results.json; also classroom50, junit, vpl, ...
   parsim2d grade --init-rubric > course.toml         the numbers and points of a course
   parsim2d grade --frames out.txt --rubric course.toml --fail-under 60
@@ -62,11 +62,12 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
 fn grade_files(arguments: &GradeArguments, rubric: &Rubric) -> Result<ExitCode, Failure> {
     let names: Vec<String> =
         arguments.frames.iter().map(|path| path.display().to_string()).collect();
+    let short = short_names(&names);
     let sheets = Sheets::open(&arguments.sheets, &names)?;
     let entries = grade_all(
         arguments.frames.iter().cloned(),
         arguments.jobs(),
-        |_, path| grade_frames(path, rubric),
+        |k, path| Ok(Graded { name: short[k].clone(), ..grade_frames(path, rubric)? }),
         |k, entry| sheets.add(k, entry),
     );
     sheets.finish(&entries, true)?;

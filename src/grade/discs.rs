@@ -71,7 +71,8 @@ pub fn radii(film: &Film, rubric: &Rubric) -> Verdict {
     if film.halved {
         let printed = 2.0 * film.radius(0);
         let failure = Failure::of(Finding::WrongRadius, Mistake::DiameterAsRadius).at(0, &[0]);
-        return Status::Failed(failure.with(Quantity::Radius, printed));
+        let failure = failure.with(Quantity::Radius, printed);
+        return Status::Failed(failure.with(Quantity::RadiusAsked, film.radius(0)));
     }
     let is_asked = |radius: f64| {
         rubric.radius.is_empty() || rubric.radius.iter().any(|r| (radius / r - 1.0).abs() < 1e-3)
@@ -79,13 +80,18 @@ pub fn radii(film: &Film, rubric: &Rubric) -> Verdict {
     for (k, frame) in film.frames.iter().enumerate() {
         for (i, spot) in frame.iter().enumerate() {
             let first = film.frames[0].get(i).map_or(spot.radius, |first| first.radius);
-            let finding = match spot.radius {
-                r if !(r > 0.0 && is_asked(r)) => Finding::WrongRadius,
-                r if (r / first - 1.0).abs() > 1e-3 => Finding::RadiusChanges,
+            let (finding, which, right) = match spot.radius {
+                r if !(r > 0.0 && is_asked(r)) => {
+                    (Finding::WrongRadius, Quantity::RadiusAsked, &rubric.radius[..])
+                }
+                r if (r / first - 1.0).abs() > 1e-3 => {
+                    (Finding::RadiusChanges, Quantity::RadiusAtStart, &[first][..])
+                }
                 _ => continue,
             };
             let failure = Failure::of(finding, None).at(k, &[i]);
-            return Status::Failed(failure.with(Quantity::Radius, spot.radius));
+            let failure = failure.with(Quantity::Radius, spot.radius);
+            return Status::Failed(right.iter().fold(failure, |why, r| why.with(which, *r)));
         }
     }
     Status::Passed

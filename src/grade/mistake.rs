@@ -6,10 +6,16 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mistake {
+    /// The files are still in an archive.
+    ArchiveNotUnpacked,
     /// The Makefile was not handed in.
     NoMakefile,
     /// The compiler, the linker or make gives up.
     DoesNotBuild,
+    /// A program that was handed in, and not made anew by the build.
+    ProgramNotRebuilt,
+    /// It asks for input that nobody gives.
+    WaitsForInput,
     /// A signal or an exit code other than 0.
     Crashes,
     /// It ends well and wrote nothing.
@@ -81,11 +87,80 @@ pub enum Mistake {
 }
 
 impl Mistake {
+    /// All of them, in the order in which submissions come to them.
+    pub const ALL: [Self; 39] = [
+        Self::ArchiveNotUnpacked,
+        Self::NoMakefile,
+        Self::DoesNotBuild,
+        Self::ProgramNotRebuilt,
+        Self::WaitsForInput,
+        Self::Crashes,
+        Self::EndsWithoutFrames,
+        Self::TooSlow,
+        Self::OutputTooLarge,
+        Self::StoppedByLimits,
+        Self::EmptyFile,
+        Self::NoFrames,
+        Self::WrongColumns,
+        Self::FrameTorn,
+        Self::NotANumber,
+        Self::DiscLost,
+        Self::DiscOrderChanges,
+        Self::DiameterAsRadius,
+        Self::PlacedOverlapping,
+        Self::PlacedOutside,
+        Self::WallMissing,
+        Self::InwardWallNormal,
+        Self::WallAtCentre,
+        Self::GravitySign,
+        Self::GravityMissing,
+        Self::GravitySideways,
+        Self::FrictionInFlight,
+        Self::TimeStepNotConstant,
+        Self::ForceOverWrongMass,
+        Self::NormalNotNormalised,
+        Self::ForceAppliedTwice,
+        Self::ForceOnOneDiscOnly,
+        Self::ContactAtOneRadius,
+        Self::Tunnelling,
+        Self::ExplicitEuler,
+        Self::DampingSign,
+        Self::EnergyPump,
+        Self::EnergyLostElastic,
+        Self::RestitutionWrong,
+    ];
+
+    /// The mistake of that name.
+    ///
+    /// ```
+    /// use parsim2d::grade::mistake::Mistake;
+    /// assert_eq!(Mistake::named("explicit_euler"), Some(Mistake::ExplicitEuler));
+    /// assert_eq!(Mistake::named("euler"), None);
+    /// ```
+    pub fn named(id: &str) -> Option<Self> {
+        serde_json::from_value(id.into()).ok()
+    }
+
     /// Its name in files.
     pub fn id(self) -> String {
         serde_json::to_value(self)
             .ok()
             .and_then(|v| v.as_str().map(str::to_owned))
             .unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_are_listed_once_in_their_order_and_found_by_name() {
+        assert!(Mistake::ALL.windows(2).all(|pair| pair[0] < pair[1]));
+        // The last of an enum has the highest number.
+        assert_eq!(Mistake::ALL.len(), Mistake::RestitutionWrong as usize + 1);
+        for mistake in Mistake::ALL {
+            assert_eq!(Mistake::named(&mistake.id()), Some(mistake));
+        }
     }
 }

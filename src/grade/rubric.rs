@@ -149,10 +149,21 @@ impl Default for Rubric {
 /// A commented rubric with the usual numbers.
 pub const COMMENTED: &str = include_str!("rubric/usual.toml");
 
+/// Why `text` is no rubric; where one value stands for a list of it, how to write that.
+fn not_read(why: &toml::de::Error, text: &str) -> String {
+    let way_out = why.message().ends_with("expected a sequence").then(|| {
+        let span = why.span()?;
+        let (before, value) = (text.get(..span.start)?, text.get(span)?);
+        let key = before.lines().last()?.trim_end_matches([' ', '=']).trim_start();
+        Some(format!("  way out: a list, {key} = [{value}]\n"))
+    });
+    format!("{why}{}", way_out.flatten().unwrap_or_default())
+}
+
 impl Rubric {
     /// Reads a rubric. Errors name the line, key, value and way out.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let rubric: Self = toml::from_str(text).map_err(|why| why.to_string())?;
+        let rubric: Self = toml::from_str(text).map_err(|why| not_read(&why, text))?;
         rubric.refused().map_or(Ok(rubric), Err)
     }
 

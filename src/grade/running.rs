@@ -4,19 +4,44 @@
 
 use super::mistake::Mistake;
 use super::verdict::Failure;
-use super::words::{Finding, Quantity};
+use super::words::{ENGLISH, Finding, Quantity};
 
 impl Failure {
-    /// Files that were not handed in.
+    /// Files that were not handed in, where these archives were.
     ///
     /// ```
     /// use parsim2d::grade::{mistake::Mistake, verdict::Failure};
-    /// assert_eq!(Failure::files_missing(&["Makefile"]).cause, Some(Mistake::NoMakefile));
-    /// assert_eq!(Failure::files_missing(&["particle.h"]).cause, None);
+    /// assert_eq!(Failure::files_missing(&["Makefile"], &[]).cause, Some(Mistake::NoMakefile));
+    /// assert_eq!(Failure::files_missing(&["particle.h"], &[]).cause, None);
+    /// let packed = Failure::files_missing(&["Makefile", "particle.h"], &["Ada.zip"]);
+    /// assert_eq!(packed.cause, Some(Mistake::ArchiveNotUnpacked));
+    /// assert_eq!(packed.said.as_deref(), Some("missing: Makefile, particle.h\nstill packed: Ada.zip"));
     /// ```
-    pub fn files_missing(names: &[&str]) -> Self {
-        let cause = names.contains(&"Makefile").then_some(Mistake::NoMakefile);
-        Self::of(Finding::FileMissing, cause).saying(&names.join(", "))
+    pub fn files_missing(names: &[&str], archives: &[&str]) -> Self {
+        let cause = match archives {
+            [] => names.contains(&"Makefile").then_some(Mistake::NoMakefile),
+            _ => Some(Mistake::ArchiveNotUnpacked),
+        };
+        let [missing, packed] = ENGLISH.missing;
+        let mut said = format!("{missing}: {}", names.join(", "));
+        if !archives.is_empty() {
+            said += &format!("\n{packed}: {}", archives.join(", "));
+        }
+        Self::of(Finding::FileMissing, cause).saying(&said)
+    }
+
+    /// The same failure of a program that was handed in and that the build did not make anew: what is in the
+    /// sources was not run.
+    #[must_use]
+    pub fn of_a_program_handed_in(mut self) -> Self {
+        self.cause = Some(Mistake::ProgramNotRebuilt);
+        self
+    }
+
+    /// A program that asks for more on its standard input than there is, and wrote too little.
+    pub fn waits_for_input(seconds: f64, log: &str) -> Self {
+        let failure = Self::of(Finding::AsksForInput, Mistake::WaitsForInput).saying(log);
+        failure.with(Quantity::Seconds, seconds)
     }
 
     /// A build that failed; `log` is what it printed.

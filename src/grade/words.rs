@@ -16,6 +16,8 @@ pub use self::english::ENGLISH;
 pub enum Finding {
     /// A file that was asked for is not there.
     FileMissing,
+    /// It asks for more on its standard input than there is.
+    AsksForInput,
     /// make, the compiler or the linker failed.
     BuildFails,
     /// The build took too long.
@@ -90,6 +92,10 @@ pub enum Finding {
 pub enum Note {
     /// Discs that touch never part: eta_n as the guide prints it.
     PrintedEta,
+    /// What ran was handed in, and the build did not make it anew.
+    ProgramNotRebuilt,
+    /// The program asks for more on its standard input than there is.
+    AsksForInput,
 }
 
 /// What a number of a failure is.
@@ -106,6 +112,10 @@ pub enum Quantity {
     CountAtStart,
     /// Radius, m.
     Radius,
+    /// Radius that the rubric has, m.
+    RadiusAsked,
+    /// Radius in the first frame, m.
+    RadiusAtStart,
     /// Depth over radius.
     DepthOverRadius,
     /// The largest that is right.
@@ -198,6 +208,8 @@ pub struct Words {
     pub note: fn(Note) -> &'static str,
     /// Of mistakes.
     pub mistake: fn(Mistake) -> MistakeWords,
+    /// Before files that are not there, and before archives that are.
+    pub missing: [&'static str; 2],
     /// Before the name of a program that should have been built and was not.
     pub no_program: &'static str,
     /// Before the frame of a failure.
@@ -212,12 +224,30 @@ pub struct Words {
     pub hint: &'static str,
     /// Said of a check that could not be decided.
     pub not_seen: &'static str,
+    /// Said of `many` where the program is not told how many discs.
+    pub not_told: &'static str,
     /// Before the failed check that a skipped one hangs on.
     pub skipped: &'static str,
-    /// After the points: earned, of, and what is left out.
-    pub points: [&'static str; 3],
+    /// Between points earned and all, and after those that are left out.
+    pub points: [&'static str; 2],
     /// Before the numbers of cut and of unevenly spaced frames.
     pub left_out: [&'static str; 2],
-    /// Before points and needed checks in an explanation.
-    pub worth: [&'static str; 2],
+    /// One point, and several.
+    pub point: [&'static str; 2],
+    /// Before the needed check in an explanation.
+    pub after: &'static str,
+    /// Before the part of the points that a mistake leaves.
+    pub part_left: &'static str,
+}
+
+impl Words {
+    /// What so many points are called.
+    ///
+    /// ```
+    /// use parsim2d::grade::words::ENGLISH;
+    /// assert_eq!([1.0, 0.5, 2.0].map(|points| ENGLISH.points_of(points)), ["point", "points", "points"]);
+    /// ```
+    pub fn points_of(&self, points: f64) -> &'static str {
+        self.point[usize::from(points != 1.0)]
+    }
 }

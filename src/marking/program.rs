@@ -76,10 +76,4 @@ impl Course {
             rows: Some(n + self.program().extra_rows),
         }
     }
-
-    /// Whether the program can be told how many discs there are to be.
-    pub(super) fn tells_n(&self) -> bool {
-        let program = self.program();
-        program.arguments.iter().chain([&program.stdin]).any(|text| text.contains("{n}"))
-    }
 }

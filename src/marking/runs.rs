@@ -26,7 +26,10 @@ pub(super) fn ended(run: &Run, others: &[PathBuf], program: &Program) -> Ended {
                 && others.is_empty()
                 && !prints_frames(log) =>
         {
-            Failure::ends_without_frames(log)
+            match run.asked_for_more {
+                true => Failure::waits_for_input(run.took.as_secs_f64(), log),
+                false => Failure::ends_without_frames(log),
+            }
         }
         Outcome::Ended(0) | Outcome::EnoughFrames => return Ended::Well,
         Outcome::TimeUp | Outcome::CpuUp => {
@@ -36,7 +39,13 @@ pub(super) fn ended(run: &Run, others: &[PathBuf], program: &Program) -> Ended {
             if is_elsewhere || whole_frames(&run.film) >= program.frames_at_least {
                 return Ended::Well;
             }
-            Failure::too_slow(run.took.as_secs_f64(), log)
+            match run.asked_for_more {
+                true => Failure::waits_for_input(run.took.as_secs_f64(), log),
+                false => Failure::too_slow(run.took.as_secs_f64(), log),
+            }
+        }
+        Outcome::Ended(_) if run.asked_for_more && run.film.is_blank() => {
+            Failure::waits_for_input(run.took.as_secs_f64(), log)
         }
         Outcome::Ended(code) => Failure::ends_with_code(code, log),
         Outcome::Signal(signal) => Failure::ends_by_signal(signal, log),

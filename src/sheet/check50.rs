@@ -25,7 +25,8 @@ fn result(graded: &Graded, check: Check, status: &Status, words: &Words) -> Valu
     match status {
         Status::Passed => {}
         Status::NotSeen | Status::Skipped(_) => {
-            cause = json!({"rationale": lines(graded, status, words).join(" "), "help": null});
+            cause =
+                json!({"rationale": lines(graded, check, status, words).join(" "), "help": null});
         }
         Status::Failed(failure) => {
             let table = words.grade;
@@ -34,7 +35,7 @@ fn result(graded: &Graded, check: Check, status: &Status, words: &Words) -> Valu
                 "expected": (table.finding)(failure.finding).expected,
                 "help": failure.cause.map(|mistake| graded.report.hint(mistake, table)),
             });
-            log = lines(graded, status, words);
+            log = lines(graded, check, status, words);
             log.extend(
                 said(failure, words).iter().flat_map(|said| said.lines()).map(str::to_owned),
             );

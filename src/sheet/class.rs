@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::document::{Paper, document, section};
+use super::document::{Paper, document, section, wide};
 use super::number::percent;
 use super::plain::one_line;
 use super::student::legend;
@@ -50,7 +50,7 @@ fn rows(entries: &[Entry], files: &[String], words: &Words) -> String {
             html += &row(graded, files.get(k), &checks, words);
         }
     }
-    html + "</tbody>\n</table>\n"
+    wide(&(html + "</tbody>\n</table>\n"))
 }
 
 fn row(graded: &Graded, file: Option<&String>, checks: &[Check], words: &Words) -> String {
@@ -60,7 +60,8 @@ fn row(graded: &Graded, file: Option<&String>, checks: &[Check], words: &Words) 
         None => name,
     };
     let part = percent(graded.report.percent());
-    let mut html = format!("<tr><td class=\"left\">{name}</td><td class=\"number\">{part}</td>");
+    let mut html =
+        format!("<tr><td class=\"left name\">{name}</td><td class=\"number\">{part}</td>");
     for check in checks {
         let Some(status) = graded.report.status(*check) else {
             html += "<td></td>";
@@ -128,7 +129,7 @@ fn taught_again(entries: &[Entry], words: &Words) -> String {
             "<tr><td class=\"left\">{what}</td><td>{count} {of} {students}</td><td class=\"left\">{checks}</td></tr>"
         );
     }
-    html + "</tbody>\n</table>\n"
+    wide(&(html + "</tbody>\n</table>\n"))
 }
 
 /// A bar for each ten per cent, with its count.

@@ -34,6 +34,11 @@ pub fn section(heading: &str, html: &str) -> String {
     format!("<section>\n<h2>{}</h2>\n{html}</section>\n", escaped(heading))
 }
 
+/// A table that may be wider than the page: it is moved to a side, and no word of it is cut.
+pub fn wide(table: &str) -> String {
+    format!("<div class=\"wide\">\n{table}</div>\n")
+}
+
 /// Text of a tool.
 pub fn printed(text: &str) -> String {
     format!("<pre>{}</pre>\n", escaped(text))
@@ -62,10 +67,12 @@ h1 { font-size: 1.5rem; margin: 0 0 0.4rem; } h2 { font-size: 1.15rem; margin: 1
 dl { display: grid; grid-template-columns: max-content auto; gap: 0.1rem 1rem; margin: 0.3rem 0; } dt { color: #555; } dd { margin: 0; } .check dt { white-space: normal; max-width: 20rem; }
 figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; border: 1px solid #ddd; } figcaption { color: #555; font-size: 0.8rem; line-height: 1.3; }
 pre { font: 0.8rem/1.35 ui-monospace, monospace; white-space: pre-wrap; background: #f4f4f4; padding: 0.5rem; margin: 0.3rem 0; }
+.wide { overflow-x: auto; } .wide td, .wide th { overflow-wrap: normal; } .wide .left { min-width: 8rem; }
+.wide td.name { position: sticky; left: 0; background: #fff; max-width: min(20rem, 45vw); overflow-wrap: anywhere; }
 table { border-collapse: collapse; } th, td { padding: 0.12rem 0.4rem; text-align: center; border-bottom: 1px solid #ddd; } tr { break-inside: avoid; } thead { display: table-header-group; }
 th { font-weight: 600; vertical-align: bottom; } th.up span { writing-mode: vertical-rl; transform: rotate(180deg); white-space: nowrap; font-weight: 400; } .left { text-align: left; } td.number { text-align: right; white-space: nowrap; }
 td.passed { color: #006d4e; } td.failed { color: #a3270b; font-weight: 600; } td.partly { color: #8a5a00; } .legend { color: #555; font-size: 0.85rem; }
 .bins { max-width: 36rem; } .partial { border: 1px solid #8a5a00; padding: 0.4rem 0.6rem; }
 @media (max-width: 40rem) { .beside { grid-template-columns: 1fr; } }
-@media print { body { margin: 0; max-width: none; font-size: 10pt; padding: 0; } a { color: inherit; text-decoration: none; } }
+@media print { .wide { overflow: visible; } .wide .left { min-width: 0; } body { margin: 0; max-width: none; font-size: 10pt; padding: 0; } a { color: inherit; text-decoration: none; } }
 ";

@@ -8,6 +8,7 @@ use super::class::html_of_class;
 use super::classroom50::{Classroom, classroom50};
 use super::csv::csv_of_class;
 use super::json::{json_of_class, json_of_student};
+use super::plain::{file_names, short_names};
 use super::student::html_of_student;
 use super::text::{text_of_class, text_of_student};
 use super::words::Words;
@@ -136,6 +137,23 @@ impl Folder {
         let more = formats.iter().copied().filter(|format| !Self::USUAL.contains(format));
         let formats = Self::USUAL.into_iter().chain(more).collect();
         Ok(Self { folder: folder.to_owned(), files, formats })
+    }
+
+    /// Names of the submissions in the tables of the class that are there already and that are none of these.
+    pub fn others(&self) -> Vec<String> {
+        let read = || {
+            let text = fs::read(self.folder.join("class.json")).ok()?;
+            let class: serde_json::Value = serde_json::from_slice(&text).ok()?;
+            let names = |list: &str, key: &str| -> Vec<String> {
+                let list = class[list].as_array().into_iter().flatten();
+                list.filter_map(|one| one[key].as_str().map(str::to_owned)).collect()
+            };
+            Some([names("submissions", "file"), names("not_graded", "name")].concat())
+        };
+        let before = read().unwrap_or_default();
+        let files = file_names(short_names(&before).iter().map(String::as_str));
+        let is_other = |(_, file): &(String, String)| !self.files.contains(file);
+        before.into_iter().zip(files).filter(is_other).map(|(name, _)| name).collect()
     }
 
     /// Writes the sheets of submission `k`.

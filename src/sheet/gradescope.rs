@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use super::text::{all, causes, notes, sum, tier};
+use super::text::{all, causes, graded_by, notes, sum};
 use super::words::Words;
 use super::{Graded, VERSION};
 use crate::grade::check::Check;
@@ -57,7 +57,7 @@ fn test(graded: &Graded, k: usize, check: Check, status: &Status, words: &Words)
     let mut test = json!({
         "name": (words.grade.check)(check).title,
         "number": k.to_string(),
-        "output": all(graded, status, words),
+        "output": all(graded, check, status, words),
         "tags": [check.id()],
         "visibility": report.rubric().visibility_of(check),
         "extra_data": {"id": check.id(), "cause": cause},
@@ -83,7 +83,7 @@ fn output(graded: &Graded, words: &Words) -> String {
         lines.push(words.scaled.to_owned());
     }
     lines.extend(notes(report, words));
-    lines.push(format!("parsim2d {VERSION}; {}: {}", words.how_rows[1], tier(graded, words)));
+    lines.push(graded_by(graded, words));
     lines.join("\n")
 }
 

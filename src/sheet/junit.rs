@@ -64,7 +64,7 @@ fn suite(graded: &Graded, words: &Words) -> String {
 fn case(graded: &Graded, check: Check, status: &Status, suite: &str, words: &Words) -> String {
     debug_assert_ne!(graded.report.rubric().visibility_of(check), Visibility::Hidden);
     let title = escaped(&format!("{}: {}", check.id(), (words.grade.check)(check).title));
-    let text = escaped(&all(graded, status, words));
+    let text = escaped(&all(graded, check, status, words));
     let inside = match status {
         Status::Passed => String::new(),
         Status::Failed(failure) => {

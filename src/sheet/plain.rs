@@ -1,6 +1,7 @@
 //! Text of strangers: without what a terminal, a page or a spreadsheet would obey.
 
 use std::collections::BTreeSet;
+use std::path::{Component, Path, PathBuf};
 
 /// The longest text of a tool that is repeated in a sheet, bytes.
 pub const LONGEST: usize = 4096;
@@ -101,6 +102,32 @@ pub fn file_names<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
         name.unwrap_or(base)
     };
     names.map(own).collect()
+}
+
+/// Names of submissions from their paths: without the folders above, or, where these alone tell two apart, without those
+/// that all have in common.
+///
+/// ```
+/// use parsim2d::sheet::plain::short_names;
+/// let short = |paths: [&str; 2]| short_names(&paths.map(str::to_owned));
+/// assert_eq!(short(["class/Ada", "class/late/Bob"]), ["Ada", "Bob"]);
+/// assert_eq!(short(["class/Ada/out.txt", "class/Bob/out.txt"]), ["Ada/out.txt", "Bob/out.txt"]);
+/// ```
+pub fn short_names(paths: &[String]) -> Vec<String> {
+    let parts: Vec<Vec<Component>> =
+        paths.iter().map(|path| Path::new(path).components().collect()).collect();
+    let without = |count: usize, parts: &Vec<Component>| {
+        let short: PathBuf = parts.iter().skip(count.min(parts.len().saturating_sub(1))).collect();
+        short.to_string_lossy().into_owned()
+    };
+    let last: Vec<String> = parts.iter().map(|parts| without(usize::MAX, parts)).collect();
+    if last.iter().map(|name| name.to_lowercase()).collect::<BTreeSet<_>>().len() == last.len() {
+        return last;
+    }
+    let is_shared = |k: &usize| parts.iter().all(|own| own.get(*k) == parts[0].get(*k));
+    let longest = parts.iter().map(Vec::len).max().unwrap_or(0);
+    let shared = (0..longest).take_while(is_shared).count();
+    parts.iter().map(|parts| without(shared, parts)).collect()
 }
 
 /// Windows takes these for devices, whatever follows a dot.

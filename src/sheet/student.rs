@@ -2,12 +2,14 @@
 
 use std::fmt::Write;
 
+use super::Graded;
 use super::document::{Paper, document, picture, printed, section};
 use super::number::{percent, points};
 use super::plain::{beginning, one_line, plain};
-use super::text::{face, found, is_kept_back, notes, numbers, said, sum, tier};
+use super::text::{
+    face, found, graded_by, is_kept_back, is_untold, notes, numbers, said, said_by, sum,
+};
 use super::words::{Face, Words};
-use super::{Graded, VERSION};
 use crate::grade::check::Check;
 use crate::grade::rubric::Rubric;
 use crate::grade::verdict::{Failure, Status};
@@ -57,15 +59,17 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Str
     let report = &graded.report;
     let face = face(report, check, status);
     let title = (words.grade.check)(check).title;
-    let [of, name, _] = words.grade.points;
+    let [of, _] = words.grade.points;
     let (earned, lost) = report.score(check, status);
-    let all = points(report.points_of(check));
+    let all = report.points_of(check);
+    let (all, name) = (points(all), words.grade.points_of(all));
     let score = match earned + lost > 0.0 {
         true => format!("{} {of} {all} {name}", points(earned)),
         false => (words.face)(face).to_owned(),
     };
     let inside = match status {
         Status::Passed => String::new(),
+        Status::NotSeen if is_untold(report, check) => paragraph("kind", words.not_told),
         Status::NotSeen => paragraph("kind", (words.kindly)(face)),
         Status::Skipped(root) if is_kept_back(graded, *root) => {
             paragraph("kind", (words.kindly)(Face::NotSeen))
@@ -117,7 +121,10 @@ fn explained(graded: &Graded, check: Check, failure: &Failure, words: &Words) ->
         html = format!("<div class=\"beside\"><div>\n{html}</div>\n{figure}</div>\n");
     }
     match said(failure, words) {
-        Some(text) => html + &paragraph("kind", words.said) + &printed(&text),
+        Some(text) => {
+            let heading = said_by(failure, words).map(|heading| paragraph("kind", heading));
+            html + &heading.unwrap_or_default() + &printed(&text)
+        }
         None => html,
     }
 }
@@ -140,15 +147,14 @@ fn log(graded: &Graded, words: &Words) -> String {
 fn how(graded: &Graded, words: &Words) -> Vec<(String, String)> {
     let report = &graded.report;
     let values = [
-        format!("parsim2d {VERSION}"),
-        one_line(tier(graded, words)),
+        graded_by(graded, words),
         report.frames.to_string(),
         report.discs.to_string(),
         format!("{:.1}", graded.seconds),
     ];
     let rows = words.how_rows.into_iter().zip(values);
     // Who was timed by nobody took no time.
-    let rows = rows.take(if graded.seconds > 0.0 { 5 } else { 4 });
+    let rows = rows.take(if graded.seconds > 0.0 { 4 } else { 3 });
     rows.map(|(name, value)| (name.to_owned(), value)).collect()
 }
 

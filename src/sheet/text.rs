@@ -5,10 +5,11 @@ use std::fmt::Write;
 use super::number::{percent, points, short};
 use super::plain::{LONGEST, beginning, one_line, plain};
 use super::words::{Face, Words};
-use super::{Entry, Graded, name_of};
+use super::{Entry, Graded, VERSION, name_of};
 use crate::grade::check::Check;
 use crate::grade::rubric::Visibility;
 use crate::grade::verdict::{Failure, Report, Status};
+use crate::grade::words::Finding;
 
 /// How a check came out.
 pub fn face(report: &Report, check: Check, status: &Status) -> Face {
@@ -50,10 +51,18 @@ pub fn said(failure: &Failure, words: &Words) -> Option<String> {
     Some(if is_cut { format!("{start}\n{}", words.cut) } else { start.to_owned() })
 }
 
+/// The heading of what a tool printed; names of files have their own.
+pub fn said_by(failure: &Failure, words: &Words) -> Option<&'static str> {
+    (failure.finding != Finding::FileMissing).then_some(words.said)
+}
+
 /// Everything that is said of a check, but for its title and what a tool printed.
-pub fn lines(graded: &Graded, status: &Status, words: &Words) -> Vec<String> {
+pub fn lines(graded: &Graded, check: Check, status: &Status, words: &Words) -> Vec<String> {
     match status {
         Status::Passed => Vec::new(),
+        Status::NotSeen if is_untold(&graded.report, check) => {
+            vec![words.grade.not_told.to_owned()]
+        }
         Status::NotSeen => vec![words.grade.not_seen.to_owned()],
         // Not a word of a check that students are not to see.
         Status::Skipped(root) if is_kept_back(graded, *root) => {
@@ -62,6 +71,12 @@ pub fn lines(graded: &Graded, status: &Status, words: &Words) -> Vec<String> {
         Status::Skipped(root) => vec![format!("{} {}", words.grade.skipped, root.id())],
         Status::Failed(failure) => failure_lines(graded, failure, words),
     }
+}
+
+/// Whether a check was not asked because the program is not told how many discs.
+pub fn is_untold(report: &Report, check: Check) -> bool {
+    let program = &report.rubric().program;
+    check == Check::Many && program.many > 0 && !program.tells_n()
 }
 
 /// Whether students are not to see a check, now or ever.
@@ -85,11 +100,11 @@ fn failure_lines(graded: &Graded, failure: &Failure, words: &Words) -> Vec<Strin
 }
 
 /// The same with what a tool printed, as one text.
-pub fn all(graded: &Graded, status: &Status, words: &Words) -> String {
-    let mut lines = lines(graded, status, words);
+pub fn all(graded: &Graded, check: Check, status: &Status, words: &Words) -> String {
+    let mut lines = lines(graded, check, status, words);
     if let Status::Failed(failure) = status {
         if let Some(text) = said(failure, words) {
-            lines.push(format!("{}:", words.said));
+            lines.extend(said_by(failure, words).map(|heading| format!("{heading}:")));
             lines.push(text);
         }
     }
@@ -107,8 +122,9 @@ pub fn notes(report: &Report, words: &Words) -> Vec<String> {
 
 /// Points and per cent.
 pub fn sum(report: &Report, words: &Words) -> String {
-    let [of, name, not_judged] = words.grade.points;
+    let [of, not_judged] = words.grade.points;
     let (earned, lost, open) = (report.earned(), report.lost(), report.open());
+    let name = words.grade.points_of(earned + lost);
     let [earned, decided] = [earned, earned + lost].map(points);
     let mut line = format!("{earned} {of} {decided} {name} ({:.0} %)", report.percent());
     let open = points(open);
@@ -116,6 +132,14 @@ pub fn sum(report: &Report, words: &Words) -> String {
         let _ = write!(line, "; {open} {not_judged}");
     }
     line
+}
+
+/// What graded it, for a student; and that nothing was run, if so. How it was kept apart is for instructors.
+pub fn graded_by(graded: &Graded, words: &Words) -> String {
+    match graded.tier.as_str() {
+        "" => format!("parsim2d {VERSION}; {}", words.no_tier),
+        _ => format!("parsim2d {VERSION}"),
+    }
 }
 
 /// How it was kept apart.
@@ -133,7 +157,7 @@ pub fn text_of_student(graded: &Graded, words: &Words) -> String {
             Status::NotSeen | Status::Skipped(_) => ":|",
         };
         let _ = writeln!(text, "{face} {}: {}", check.id(), (words.grade.check)(*check).title);
-        for line in lines(graded, status, words) {
+        for line in lines(graded, *check, status, words) {
             let _ = writeln!(text, "    {line}");
         }
         if let Status::Failed(failure) = status {
@@ -146,7 +170,7 @@ pub fn text_of_student(graded: &Graded, words: &Words) -> String {
         let _ = writeln!(text, "{line}");
     }
     if !graded.tier.is_empty() {
-        let _ = writeln!(text, "{}: {}", words.how_rows[1], one_line(&graded.tier));
+        let _ = writeln!(text, "{}: {}", words.sandbox, one_line(&graded.tier));
     }
     let _ = writeln!(text, "{}", sum(&graded.report, words));
     text

@@ -5,11 +5,11 @@
 
 use std::fmt::Write;
 
+use super::Graded;
 use super::number::points;
 use super::plain::one_line;
-use super::text::{face, lines, notes, said, sum, tier};
+use super::text::{face, graded_by, lines, notes, said, sum};
 use super::words::Words;
-use super::{Graded, VERSION};
 use crate::grade::verdict::Status;
 
 /// The comments and, last, the grade on a scale from `scale[0]` to `scale[1]`.
@@ -21,7 +21,7 @@ pub fn vpl(graded: &Graded, scale: [f64; 2], words: &Words) -> String {
         let sign = face(report, *check, status).sign();
         let title = (words.grade.check)(*check).title;
         let _ = writeln!(text, "-{sign} {}: {title}", check.id());
-        for line in lines(graded, status, words) {
+        for line in lines(graded, *check, status, words) {
             let _ = writeln!(text, "{}", as_it_is(&line));
         }
         if let Status::Failed(failure) = status {
@@ -40,8 +40,7 @@ pub fn vpl(graded: &Graded, scale: [f64; 2], words: &Words) -> String {
     for line in notes(report, words) {
         let _ = writeln!(text, "{}", as_it_is(&line));
     }
-    let how =
-        format!("parsim2d {VERSION}; {}: {}", words.how_rows[1], one_line(tier(graded, words)));
+    let how = one_line(&graded_by(graded, words));
     let _ = writeln!(text, "{}\n--|>", as_it_is(&how));
     let grade = scale[0] + (scale[1] - scale[0]) * report.percent() / 100.0;
     let _ = writeln!(text, "Grade :=>> {}", points(grade));

@@ -60,6 +60,8 @@ pub struct Words {
     pub face: fn(Face) -> &'static str,
     /// Below the faces: what the last two mean for points.
     pub kindly: fn(Face) -> &'static str,
+    /// In its place for `many` where the program is not told how many discs.
+    pub not_told: &'static str,
     /// Heading of the checks.
     pub checks: &'static str,
     /// Before what was found.
@@ -82,8 +84,10 @@ pub struct Words {
     pub picture: &'static str,
     /// Heading of how it was graded.
     pub how: &'static str,
-    /// What it was graded with: version, tier, frames, discs, seconds.
-    pub how_rows: [&'static str; 5],
+    /// What it was graded with: version, frames, discs, time.
+    pub how_rows: [&'static str; 4],
+    /// Before the tier, for instructors.
+    pub sandbox: &'static str,
     /// In place of the tier if nothing was run.
     pub no_tier: &'static str,
     /// Heading of the numbers of the rubric.

@@ -59,6 +59,8 @@ pub struct Run {
     pub film: Film,
     /// Frames that were left out because they were seen half-written. Never the student's fault.
     pub torn: usize,
+    /// Whether it asked for more on its standard input than there is. Not known where nothing is traced.
+    pub asked_for_more: bool,
     /// Whether every frame was seen; if not, some may be missing between two frames of the film.
     pub every_frame: bool,
 }

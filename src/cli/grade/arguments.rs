@@ -37,8 +37,8 @@ pub(in crate::cli) struct GradeArguments {
     /// Submissions graded at once [default: as many as there are processors]
     #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Say what a check measures, and why
-    #[arg(long, value_name = "CHECK")]
+    /// Say what a check measures, and why; or what a cause means
+    #[arg(long, value_name = "CHECK|CAUSE")]
     pub explain: Option<String>,
     /// Print a commented rubric with the usual numbers
     #[arg(long)]
@@ -65,9 +65,13 @@ pub(in crate::cli) struct SheetArguments {
     /// With a small picture of each failure, as SVG in the JSON
     #[arg(long)]
     pub pictures: bool,
-    /// Write a page and a JSON file for each submission, and class.html, class.csv, class.json, as each ends
+    /// Write a page and a JSON file for each submission, and class.html, class.csv, class.json, as each ends.
+    /// The tables hold the submissions graded now: a folder whose tables have others is refused
     #[arg(long, value_name = "FOLDER")]
     pub out_dir: Option<PathBuf>,
+    /// Let the tables of the class in --out-dir lose submissions that are not graded now; their pages stay
+    #[arg(long, requires = "out_dir")]
+    pub replace_class: bool,
     /// Write to a file, which appears whole, in place of standard output
     #[arg(long, value_name = "FILE", conflicts_with = "out_dir")]
     pub out: Option<PathBuf>,

@@ -3,15 +3,17 @@
 use std::path::PathBuf;
 
 use crate::grade::check::Check;
+use crate::grade::mistake::Mistake;
 use crate::proof::DESCRIPTION;
+use crate::sheet::plain::one_line;
 
 /// Why nothing was graded: bad usage, every time.
 #[derive(Debug, thiserror::Error)]
 pub(in crate::cli) enum GradeError {
     #[error("the rubric {} cannot be used: {why}\n  way out: parsim2d grade --init-rubric prints one to begin with", path.display())]
     Rubric { path: PathBuf, why: String },
-    #[error("there is no check `{id}`; checks are {}", ids().join(", "))]
-    Check { id: String },
+    #[error("there is no check and no cause `{id}`{}\n  checks: {}\n  causes: {}", like(id), checks().join(", "), causes().join(", "))]
+    Unexplained { id: String },
     #[error(
         "--format {format} is one file for one submission, and there are {count}\n  way out: --out-dir FOLDER"
     )]
@@ -34,12 +36,40 @@ pub(in crate::cli) enum GradeError {
         "{count} formats do not fit in one stream\n  way out: --out-dir FOLDER, or one --format"
     )]
     ManyFormats { count: usize },
+    #[error("--out {}: there is no such folder, or it is one itself; nothing was graded\n  way out: make the folder, or name a file in one that is there", path.display())]
+    NoPlace { path: PathBuf },
+    #[error(
+        "{} has a class of which not all are graded now ({} {others}); its tables would lose them, and nothing was graded\n  \
+         way out: grade the whole class, or name another --out-dir; --replace-class gives them up",
+        path.display(), "not now:", others = listed(others)
+    )]
+    OtherClass { path: PathBuf, others: Vec<String> },
     #[error("{key}={value} is not a number\n  way out: leave it out, or set what VPL sets")]
     Scale { key: &'static str, value: String },
 }
 
-fn ids() -> Vec<&'static str> {
-    Check::ALL.into_iter().map(Check::id).collect()
+fn checks() -> Vec<String> {
+    Check::ALL.into_iter().map(|check| check.id().to_owned()).collect()
+}
+
+fn causes() -> Vec<String> {
+    Mistake::ALL.into_iter().map(Mistake::id).collect()
+}
+
+/// The first of some names.
+fn listed(names: &[String]) -> String {
+    const FIRST: usize = 5;
+    let first: Vec<String> = names.iter().take(FIRST).map(|name| one_line(name)).collect();
+    let more = if names.len() > FIRST { ", ..." } else { "" };
+    first.join(", ") + more
+}
+
+/// A name that was perhaps meant by `id`.
+fn like(id: &str) -> String {
+    let names = checks().into_iter().chain(causes());
+    let near = names.map(|name| (strsim::jaro_winkler(id, &name), name));
+    let best = near.filter(|(likeness, _)| *likeness > 0.8).max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map_or_else(String::new, |(_, name)| format!("; did you mean `{name}`?"))
 }
 
 impl GradeError {

@@ -94,6 +94,8 @@ fn grade_one(
     let marker = Marker { workshop, course: &course };
     let mut graded = marker.mark(&folder, |_| ()).map_err(|why| why.to_string())?;
     graded.name = format!("{}/{}", group(&described.path), described.name());
+    // Where it was laid out means nothing afterwards.
+    graded.folder = described.path.display().to_string();
     Ok(graded)
 }
 

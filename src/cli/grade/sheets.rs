@@ -1,7 +1,7 @@
 //! Where results go: a line as each ends, sheets in a folder as each ends, one stream at the end.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -14,7 +14,7 @@ use crate::sheet::classroom50::{Classroom, utc};
 use crate::sheet::folder::{Around, Folder, Format, write_whole};
 use crate::sheet::json::json_of_student;
 use crate::sheet::number::percent;
-use crate::sheet::plain::{file_names, one_line};
+use crate::sheet::plain::{file_names, one_line, short_names};
 use crate::sheet::text::{causes, text_of_class, text_of_student};
 use crate::sheet::words::ENGLISH;
 use crate::sheet::{Entry, Graded, name_of};
@@ -47,10 +47,19 @@ impl Sheets {
         }
         let around = around(arguments.pictures)?;
         let open = |folder: &PathBuf| {
-            let files = file_names(names.iter().map(String::as_str));
+            let files = file_names(short_names(names).iter().map(String::as_str));
             Folder::open(folder, files, &formats)
         };
+        if let Some(out) = arguments.out.as_ref().filter(|out| !can_appear(out)) {
+            return Err(GradeError::NoPlace { path: out.clone() }.into());
+        }
         let folder = arguments.out_dir.as_ref().map(open).transpose()?;
+        let others = folder.as_ref().map(Folder::others).unwrap_or_default();
+        if let (Some(path), false, false) =
+            (&arguments.out_dir, arguments.replace_class, others.is_empty())
+        {
+            return Err(GradeError::OtherClass { path: path.clone(), others }.into());
+        }
         let ended = Mutex::new((names.iter().map(|_| None).collect(), None));
         Ok(Self { formats, out: arguments.out.clone(), folder, around, bar: bar(count), ended })
     }
@@ -116,6 +125,12 @@ impl Sheets {
         }
         Ok(())
     }
+}
+
+/// Whether a file of that path can be made, as far as its folder tells.
+fn can_appear(path: &Path) -> bool {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    folder.is_none_or(Path::is_dir) && !path.is_dir()
 }
 
 /// A line of a submission that has ended.

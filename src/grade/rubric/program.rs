@@ -76,6 +76,11 @@ impl Default for Program {
 }
 
 impl Program {
+    /// Whether a program is told how many discs there are to be.
+    pub fn tells_n(&self) -> bool {
+        self.arguments.iter().chain([&self.stdin]).any(|text| text.contains("{n}"))
+    }
+
     /// What is wrong with a number, if anything: key, value and range.
     pub(super) fn refused(&self) -> Option<String> {
         let seconds = [

@@ -12,6 +12,7 @@ pub const ENGLISH: Words = Words {
     quantity,
     note,
     mistake,
+    missing: ["missing", "still packed"],
     no_program: "the build ended well, but there is no program",
     frame: "frame",
     discs: "disc",
@@ -19,10 +20,13 @@ pub const ENGLISH: Words = Words {
     looks_like: "looks like",
     hint: "hint",
     not_seen: "not seen: nothing in these frames decides it",
+    not_told: "not seen: the program is not told how many discs ({n} is neither in `arguments` nor in `stdin` of the rubric)",
     skipped: "can't be judged until this is right:",
-    points: ["of", "points", "not judged"],
+    points: ["of", "not judged"],
     left_out: ["cut frames left out:", "frames at uneven times left out:"],
-    worth: ["points", "asked after"],
+    point: ["point", "points"],
+    after: "asked after",
+    part_left: "part of the points that it leaves",
 };
 
 #[rustfmt::skip]
@@ -84,6 +88,7 @@ fn check(check: Check) -> CheckWords {
 fn finding(finding: Finding) -> FindingWords {
     let (what, expected) = match finding {
         Finding::FileMissing => ("a file that was asked for is not there", "the files that the assignment names"),
+        Finding::AsksForInput => ("the program asks for more on its standard input than there is, and wrote no frames or too few", "a program that needs nobody at the keyboard"),
         Finding::BuildFails => ("the program cannot be built", "a build without errors, and the program under the name asked for"),
         Finding::BuildTakesTooLong => ("the build did not end in its time", "a build of seconds"),
         Finding::Crashed => ("the program ended with an error", "exit code 0, or a program that goes on"),
@@ -128,6 +133,8 @@ fn quantity(quantity: Quantity) -> &'static str {
         Quantity::Count => "discs here",
         Quantity::CountAtStart => "discs at the start",
         Quantity::Radius => "printed, m",
+        Quantity::RadiusAsked => "asked for, m",
+        Quantity::RadiusAtStart => "in the first frame, m",
         Quantity::DepthOverRadius => "depth, radii",
         Quantity::LargestDepthOverRadius => "largest depth to be expected, radii",
         Quantity::PullX => "second difference of x, m a frame²",
@@ -162,6 +169,13 @@ fn note(note: Note) -> &'static str {
              kg/s: 150 times critical damping. You did as told, and no points are lost; we think a minus \
              sign was lost in print. Try 1.5e-3 and see discs bounce."
         }
+        Note::ProgramNotRebuilt => {
+            "the program that ran was handed in as it is: the build found it newer than the sources, or makes another, \
+             and did not make it anew. Whether the sources do the same was not seen."
+        }
+        Note::AsksForInput => {
+            "the program asks for more on its standard input than the course gives it, and got nothing."
+        }
     }
 }
 
@@ -170,6 +184,9 @@ fn note(note: Note) -> &'static str {
 fn mistake(mistake: Mistake) -> MistakeWords {
     let (looks_like, hint) = match mistake {
         Mistake::NoMakefile => ("a Makefile that was forgotten, or has another name", "list the folder as you handed it in: is it as the assignment says?"),
+        Mistake::ArchiveNotUnpacked => ("files that are still in an archive", "the files themselves belong in the folder: what is in an archive is not looked at"),
+        Mistake::ProgramNotRebuilt => ("an old program that was handed in: the build left it as it was, and what the sources say was not run", "hand in sources only: make clean, and then look whether make builds it"),
+        Mistake::WaitsForInput => ("a program that waits for something to be typed", "what does it read, and who gives it that when nobody sits at the keyboard?"),
         Mistake::DoesNotBuild => ("a program that was changed after it was last built", "read the first error, not the last; build in a fresh copy of the folder"),
         Mistake::Crashes => ("an access outside of what was reserved, or an error that nobody catches", "run it in a debugger, or build it with -fsanitize=address: where does it stop?"),
         Mistake::EndsWithoutFrames => ("a loop over frames that is never entered, or another name of the file", "print the number of frames to be written before the loop begins"),

@@ -9,6 +9,7 @@ pub const ENGLISH: Words = Words {
     class: "The class",
     face,
     kindly,
+    not_told: "Programs of this course are not told how many discs to take. It costs no points.",
     checks: "Check by check",
     found: "found",
     notes: "Good to know",
@@ -21,7 +22,8 @@ pub const ENGLISH: Words = Words {
     picture: "The discs of that frame; those that are meant have their numbers. Arrows: which way they \
               move, the longer the faster.",
     how: "How it was graded",
-    how_rows: ["graded by", "sandbox", "whole frames", "discs", "seconds"],
+    how_rows: ["graded by", "whole frames", "discs", "time that grading took, s"],
+    sandbox: "sandbox",
     no_tier: "nothing was run: the frames were handed in",
     rubric: "The numbers it was measured by",
     rubric_rows: [

@@ -118,7 +118,7 @@ pub(super) struct Filters {
     pub as_caller: bool,
     /// Whether there is a tracer.
     pub is_traced: bool,
-    /// Whether calls that replace a file stop for the tracer.
+    /// Whether calls that replace a file, or read standard input, stop for the tracer.
     pub film: bool,
 }
 
@@ -138,7 +138,7 @@ pub(super) fn programs(filters: Filters) -> Result<Vec<BpfProgram>, BackendError
     denied.insert(libc::SYS_prctl, vec![rule(&[(0, SeccompCmpOp::Eq, PR_SET_SECCOMP)])?]);
     let absent = ABSENT.iter().map(|&call| (call, Vec::new())).collect();
     let mut programs = vec![program(absent, SeccompAction::Errno(libc::ENOSYS as u32))?];
-    let mut traced = if filters.film { replacing()? } else { Rules::new() };
+    let mut traced = if filters.film { watched()? } else { Rules::new() };
     if filters.as_caller && filters.is_traced {
         traced.extend(SIGNALS.iter().chain(MODES).map(|&call| (call, Vec::new())));
     }
@@ -150,13 +150,16 @@ pub(super) fn programs(filters: Filters) -> Result<Vec<BpfProgram>, BackendError
     Ok(programs)
 }
 
-/// The calls by which a program replaces what a file holds.
-fn replacing() -> Result<Rules, BackendError> {
+/// The calls by which a program replaces what a file holds, and reads its standard input.
+fn watched() -> Result<Rules, BackendError> {
     let truncates = libc::O_TRUNC as u32;
     let mut rules = Rules::from([
         (libc::SYS_openat, vec![rule(&[bits(2, truncates)])?]),
         (libc::SYS_lseek, vec![rule(&[(1, SeccompCmpOp::Eq, 0), (2, SeccompCmpOp::Eq, 0)])?]),
         (libc::SYS_pwrite64, vec![rule(&[(3, SeccompCmpOp::Eq, 0)])?]),
+        // Not of files, but as rare: what is asked for on standard input.
+        (libc::SYS_read, vec![rule(&[(0, SeccompCmpOp::Eq, 0)])?]),
+        (libc::SYS_readv, vec![rule(&[(0, SeccompCmpOp::Eq, 0)])?]),
     ]);
     let always = [
         libc::SYS_openat2,

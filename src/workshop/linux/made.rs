@@ -99,6 +99,7 @@ impl Made<'_> {
             Some(camera) => camera.film(attempt.has_ended),
             None => (Film::Nothing, 0),
         };
+        let stdin_bytes = errand.stdin.len() as u64;
         let every_frame = self.workshop.is_traced() || !matches!(film, Film::Snapshots(_));
         Ok(Run {
             outcome: attempt.outcome,
@@ -106,6 +107,7 @@ impl Made<'_> {
             took: attempt.took,
             film,
             torn,
+            asked_for_more: attempt.asked_before.is_some_and(|asked| asked >= stdin_bytes),
             every_frame,
         })
     }

@@ -49,6 +49,8 @@ pub(super) struct Attempt {
     pub has_ended: bool,
     pub log: String,
     pub took: Duration,
+    /// See [`Ending::asked_before`].
+    pub asked_before: Option<u64>,
     pub camera: Option<Camera>,
 }
 
@@ -121,7 +123,8 @@ fn told(
     // That it ended is no reason for which it was stopped.
     let stop = stop.filter(|reason| *reason != Outcome::Ended(0));
     let has_ended = stop.is_none() && matches!(ending.change, Some(Change::Ended(_)));
-    Attempt { outcome: outcome(ending, stop), has_ended, log, took, camera }
+    let asked_before = ending.asked_before;
+    Attempt { outcome: outcome(ending, stop), has_ended, log, took, asked_before, camera }
 }
 
 fn outcome(ending: &Ending, stop: Option<Outcome>) -> Outcome {

@@ -11,7 +11,7 @@ use nix::sys::ptrace::{self, Options};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 
-use super::call::{call_of, leave_out};
+use super::call::{Call, call_of, leave_out};
 use super::camera::Camera;
 use super::process::{Change, go_on, wait_any};
 use super::stops::about;
@@ -75,6 +75,22 @@ pub(super) struct Ending {
     pub wrote_too_much: bool,
     /// Some process used up its processor time.
     pub computed_too_long: bool,
+    /// Bytes that were asked for on standard input before it was last read, which all processes share.
+    pub asked_before: Option<u64>,
+    /// Bytes that were asked for in all.
+    pub asked: u64,
+}
+
+impl Ending {
+    /// A process reads its standard input, which all processes share.
+    fn reads(&mut self, call: &Call) {
+        let wanted = match call.number {
+            libc::SYS_read => call.arguments[2],
+            _ => u64::from(u32::MAX), // how much is written in its memory: as good as all
+        };
+        self.asked_before = Some(self.asked);
+        self.asked = self.asked.saturating_add(wanted);
+    }
 }
 
 /// Traces `first` and all that come from it, until none is left.
@@ -219,6 +235,10 @@ impl<'a> Tracer<'a> {
 
     fn look(&mut self, pid: Pid) {
         let Some(call) = call_of(pid) else { return };
+        if matches!(call.number, libc::SYS_read | libc::SYS_readv) {
+            self.ending.reads(&call);
+            return;
+        }
         let ruling = ruling(pid, &call, &self.watched.lock().all, self.folders);
         if let Some(result) = ruling {
             // If that is impossible the process is not to go on.

@@ -92,6 +92,7 @@ impl Watcher<'_> {
             change: signal.map(Change::Killed).or(status.code().map(Change::Ended)),
             wrote_too_much: signal == Some(libc::SIGXFSZ),
             computed_too_long: signal == Some(libc::SIGXCPU),
+            ..Ending::default()
         }
     }
 }

@@ -1,0 +1,217 @@
+//! What the grader says to students and instructors about what is not physics: in words that tell what to do.
+#![cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
+
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+
+#[path = "support/handed_in.rs"]
+mod handed_in;
+#[path = "support/runs.rs"]
+mod runs;
+#[path = "support/student.rs"]
+mod student;
+
+use handed_in::{can_grade, hand_in, said_of};
+use parsim2d::grade::check::Check;
+use parsim2d::grade::rubric::Rubric;
+use parsim2d::grade::verdict::{Report, Status};
+use parsim2d::sheet::Graded;
+use parsim2d::sheet::text::text_of_student;
+use parsim2d::sheet::words::ENGLISH;
+use runs::{outcome, text};
+use student::{Bug, Program};
+
+const MAKEFILE: &str = "parSim2D: simulation.cpp\n\tg++ -o parSim2D simulation.cpp\n";
+/// Only what is told here is asked for.
+const RUBRIC: &str =
+    "[program]\nfiles = ['Makefile']\nwarnings = []\nsanitizer = []\nrun_seconds = 2.0\n";
+
+fn holds(said: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(said.contains(part), "{part:?} is not in\n{said}");
+    }
+}
+
+#[test]
+fn missing_files_have_their_label_and_an_archive_left_packed_is_named() {
+    if !can_grade() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    let [packed, bare] = ["Ada", "Bob"].map(|name| place.path().join(name));
+    hand_in(&packed, &[("Ada.ZIP", "PK"), ("notes.txt", "")]);
+    hand_in(&bare, &[("Makefile", "all:\n"), ("particle.h", "")]);
+    let files = "Makefile, particle.h, particle.cpp, simulation.cpp";
+    let said = said_of(&packed, "");
+    holds(&said, &[&format!("| missing: {files}\n"), "| still packed: Ada.ZIP\n"]);
+    holds(&said, &["[archive_not_unpacked]"]);
+    let said = said_of(&bare, "");
+    holds(&said, &["| missing: particle.cpp, simulation.cpp\n"]);
+    assert!(!said.contains("still packed") && !said.contains("what was printed"), "{said}");
+}
+
+#[test]
+fn an_old_program_that_was_handed_in_is_told_from_one_that_was_built() {
+    if !can_grade() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("Ada");
+    let files = [
+        ("Makefile", MAKEFILE),
+        ("simulation.cpp", "int main() { return 4; }\n"),
+        ("parSim2D", "#!/bin/sh\nexit 3\n"),
+    ];
+    hand_in(&folder, &files);
+    let age = |name: &str, seconds: u64| {
+        let file = fs::File::options().append(true).open(folder.join(name)).unwrap();
+        file.set_modified(SystemTime::now() - Duration::from_secs(seconds)).unwrap();
+    };
+    for (source, program, is_old) in [(200, 100, true), (100, 200, false)] {
+        age("simulation.cpp", source);
+        age("parSim2D", program);
+        let said = said_of(&folder, RUBRIC);
+        holds(&said, &[&format!("exit code: {}\n", if is_old { 3 } else { 4 })]);
+        assert_eq!(said.contains("[program_not_rebuilt]"), is_old, "{said}");
+        assert_eq!(said.contains("the program that ran was handed in as it is"), is_old, "{said}");
+    }
+}
+
+#[test]
+fn a_program_that_waits_for_somebody_to_type_is_told_so() {
+    if !can_grade() {
+        return;
+    }
+    let waits = "#include <cstdio>\nint main() { int n; while (scanf(\"%d\", &n) != 1); }\n";
+    let ends = "#include <cstdio>\nint main() { int n; return scanf(\"%d\", &n) == 1 ? 0 : 1; }\n";
+    let asks_twice = "#include <iostream>\nint main() { int n, m; std::cin >> n >> m; return std::cin ? 0 : 1; }\n";
+    let deaf = "int main() { for (;;); }\n";
+    let given = format!("{RUBRIC}stdin = \"{{n}}\\n\"\n");
+    let place = tempfile::tempdir().unwrap();
+    let cases = [
+        (waits, RUBRIC, "waits_for_input"),
+        (ends, RUBRIC, "waits_for_input"),
+        (ends, &given, "ends_without_frames"),
+        (asks_twice, &given, "waits_for_input"),
+        (deaf, RUBRIC, "too_slow"),
+    ];
+    for (k, (program, rubric, cause)) in cases.into_iter().enumerate() {
+        let folder = place.path().join(k.to_string());
+        hand_in(&folder, &[("Makefile", MAKEFILE), ("simulation.cpp", program)]);
+        let said = said_of(&folder, rubric);
+        holds(&said, &[&format!("[{cause}]")]);
+    }
+}
+
+#[test]
+fn many_is_not_asked_where_the_program_is_not_told_how_many_and_that_is_said() {
+    let said = |text: &str| {
+        let mut report = Report::of_submission(&Rubric::parse(text).unwrap());
+        report.decide(Check::Many, || Status::NotSeen);
+        text_of_student(&Graded::new("Ada", "Ada", report), &ENGLISH)
+    };
+    holds(&said(""), &["many: ", "the program is not told how many discs ({n} is neither in"]);
+    for told in ["arguments = ['{n}']", "stdin = '{n}'", "many = 0"] {
+        let said = said(&format!("[program]\n{told}"));
+        assert!(!said.contains("is not told how many"), "{told}: {said}");
+    }
+}
+
+/// A folder with a class of frames, right ones and some with radii of 1 mm.
+fn desk() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let right = Program::new(Bug::None, 1).output();
+    for name in ["Ada", "Bob", "Eve"] {
+        fs::create_dir_all(folder.path().join("class").join(name)).unwrap();
+        fs::write(folder.path().join("class").join(name).join("out.txt"), &right).unwrap();
+        fs::write(folder.path().join("class").join(format!("{name}.txt")), &right).unwrap();
+    }
+    folder
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn what_is_refused_says_how_to_write_it_and_is_refused_before_anything_is_graded() {
+    let folder = desk();
+    fs::write(folder.path().join("one.toml"), "mass = 1e-3\nradius = 1e-4\n").unwrap();
+    fs::write(folder.path().join("big.toml"), "radius = [1e-3, 2e-3]\n").unwrap();
+    let cases = [
+        ("--rubric one.toml", 2, "way out: a list, radius = [1e-4]\n"),
+        ("--out nowhere/results.json", 2, "--out nowhere/results.json: there is no such folder"),
+        ("--out class", 2, "--out class: there is no such folder, or it is one itself"),
+        // What was printed, and all that would have been right.
+        (
+            "--rubric big.toml",
+            0,
+            "printed, m: 5.000e-4\n    asked for, m: 0.001\n    asked for, m: 0.002\n",
+        ),
+    ];
+    for (arguments, code, said) in cases {
+        let output = outcome(folder.path(), &format!("grade --frames class/Ada.txt {arguments}"));
+        let all = text(&output.stdout) + &text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{arguments}: {all}");
+        holds(&all, &[said]);
+        assert_eq!(output.stdout.is_empty(), code == 2, "{arguments}: {all}");
+    }
+    assert_eq!(files(folder.path()), ["big.toml", "class", "one.toml"]);
+}
+
+#[test]
+fn causes_are_explained_as_checks_are_and_a_slip_is_met_with_what_was_meant() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(
+        folder.path().join("course.toml"),
+        "[hints]\nexplicit_euler = \"See Eq. (3).\"\n[partial]\nexplicit_euler = 0.5\n",
+    )
+    .unwrap();
+    let cases = [
+        ("explicit_euler", 0, "explicit_euler: looks like a position that is updated with the old"),
+        ("explicit_euler", 0, "hint: in Eq. (3), which velocity"),
+        ("explicit_euler", 0, "part of the points that it leaves: 0 %\n"),
+        ("explicit_euler --rubric course.toml", 0, "hint: See Eq. (3).\n"),
+        ("explicit_euler --rubric course.toml", 0, "leaves: 50 %\n"),
+        ("box", 0, "box: nobody leaves the box (1 point)\n"),
+        ("energy", 0, "(2 points)\n"),
+        ("explicit_oiler", 2, "did you mean `explicit_euler`?"),
+        ("enrgy", 2, "did you mean `energy`?"),
+        ("zzz", 2, "there is no check and no cause `zzz`\n  checks: files, "),
+    ];
+    for (arguments, code, said) in cases {
+        let output = outcome(folder.path(), &format!("grade --explain {arguments}"));
+        let all = text(&output.stdout) + &text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{arguments}: {all}");
+        holds(&all, &[said]);
+    }
+}
+
+#[test]
+fn a_part_of_a_class_does_not_take_the_others_out_of_its_tables_unless_told_to() {
+    let folder = desk();
+    let grade = |arguments: &str| {
+        let output = outcome(folder.path(), &format!("grade --out-dir done {arguments}"));
+        (output.status.code(), text(&output.stderr))
+    };
+    let rows = || fs::read_to_string(folder.path().join("done/class.csv")).unwrap().lines().count();
+    assert_eq!(grade("--frames class/Ada.txt class/Bob.txt").0, Some(0));
+    let names = files(&folder.path().join("done"));
+    assert!(names.contains(&"Ada.txt.html".to_owned()), "no folder before the name: {names:?}");
+    let (code, said) = grade("--frames class/Bob.txt");
+    assert_eq!((code, rows()), (Some(2), 3), "{said}");
+    holds(&said, &["not now: class/Ada.txt", "way out", "--replace-class"]);
+    // All of them from elsewhere and one more.
+    let all = "--frames ./class/Eve.txt ./class/Bob.txt ./class/Ada.txt";
+    assert_eq!((grade(all).0, rows()), (Some(0), 4));
+    assert_eq!((grade("--frames class/Bob.txt --replace-class").0, rows()), (Some(0), 2));
+    // Files that all have the same name have those of their folders.
+    let same = "--frames class/Ada/out.txt class/Bob/out.txt --replace-class";
+    assert_eq!((grade(same).0, rows()), (Some(0), 3));
+    assert!(files(&folder.path().join("done")).contains(&"Ada_out.txt.html".to_owned()));
+}
