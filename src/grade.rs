@@ -14,6 +14,7 @@ pub mod energy;
 pub mod film;
 pub mod flight;
 pub mod frames;
+pub mod interface;
 pub mod many;
 pub mod mistake;
 pub mod near;

@@ -1,8 +1,9 @@
 //! A submission marked: built and run in the workshop, judged by physics, and made into a sheet.
 //!
 //! Reading order: this file (one submission from folder to sheet), [`program`] (what the rubric says of
-//! building and running), `runs` (what a run's end means), `quality` (warnings, sanitizer).
+//! building and running), `runs` (what a run's end means), `quality` (warnings, sanitizer), `interface` (unit tests).
 
+mod interface;
 pub mod program;
 mod quality;
 mod runs;
@@ -11,6 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use self::interface::interface;
 use self::program::Course;
 use self::quality::{sanitizer, warnings};
 use self::runs::{Ended, ended, newly_written};
@@ -103,6 +105,8 @@ impl Marker<'_> {
             self.many(&made, graded)?;
             seen(graded);
         }
+        let verdict = interface(self, folder)?;
+        graded.report.decide(Check::Interface, || verdict);
         let verdict = warnings(self, folder, &made)?;
         graded.report.decide(Check::Warnings, || verdict);
         if graded.report.passed(Check::Runs) {

@@ -48,7 +48,9 @@ fn the_command_grades_explains_and_refuses() {
     let init = outcome(folder.path(), "grade --init-rubric");
     fs::write(path("new.toml"), &init.stdout).unwrap();
     assert_eq!(Rubric::parse(&text(&init.stdout)).unwrap(), {
-        let points = Check::ALL.map(|check| (check, check.usual_points())).into();
+        // Unit tests are commented out, and so are their points.
+        let asked = Check::ALL.into_iter().filter(|check| *check != Check::Interface);
+        let points = asked.map(|check| (check, check.usual_points())).collect();
         Rubric { points, ..Rubric::default() }
     });
     let cases = [

@@ -105,5 +105,10 @@ fn exit_code(entries: &[Entry], least: Option<f64>) -> u8 {
 fn rubric(path: &Path) -> Result<Rubric, GradeError> {
     let refused = |why: String| GradeError::Rubric { path: path.to_owned(), why };
     let text = fs::read_to_string(path).map_err(|why| refused(why.to_string()))?;
-    Rubric::parse(&text).map_err(refused)
+    let mut rubric = Rubric::parse(&text).map_err(refused)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    if let Some(interface) = &mut rubric.interface {
+        interface.read(folder).map_err(refused)?;
+    }
+    Ok(rubric)
 }

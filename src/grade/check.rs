@@ -40,11 +40,13 @@ pub enum Check {
     Warnings,
     /// Memory and arithmetic are as the language asks.
     Sanitizer,
+    /// Functions of a header give the numbers that the instructor's probe asks for.
+    Interface,
 }
 
 impl Check {
     /// All, in the order in which they are asked.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Files,
         Self::Builds,
         Self::Runs,
@@ -62,12 +64,16 @@ impl Check {
         Self::Many,
         Self::Warnings,
         Self::Sanitizer,
+        Self::Interface,
     ];
 
     /// Whether frames alone decide it; the others need a submission that can be built and run.
     pub fn is_of_frames(self) -> bool {
         use Check as C;
-        !matches!(self, C::Files | C::Builds | C::Runs | C::Many | C::Warnings | C::Sanitizer)
+        !matches!(
+            self,
+            C::Files | C::Builds | C::Runs | C::Many | C::Warnings | C::Sanitizer | C::Interface
+        )
     }
 
     /// Its name in files and on the command line.
@@ -90,6 +96,7 @@ impl Check {
             Self::Many => "many",
             Self::Warnings => "warnings",
             Self::Sanitizer => "sanitizer",
+            Self::Interface => "interface",
         }
     }
 
@@ -103,7 +110,7 @@ impl Check {
         match self {
             Self::Files => None,
             Self::Builds => Some(Self::Files),
-            Self::Runs | Self::Warnings => Some(Self::Builds),
+            Self::Runs | Self::Warnings | Self::Interface => Some(Self::Builds),
             Self::Frames | Self::Sanitizer => Some(Self::Runs),
             Self::Discs => Some(Self::Frames),
             Self::Radii | Self::Box | Self::Start | Self::FreeFlight => Some(Self::Discs),

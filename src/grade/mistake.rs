@@ -84,11 +84,15 @@ pub enum Mistake {
     EnergyLostElastic,
     /// Another restitution than asked.
     RestitutionWrong,
+    /// The header does not declare what the assignment asks for.
+    InterfaceMissing,
+    /// A function of the header gives other numbers.
+    InterfaceWrong,
 }
 
 impl Mistake {
     /// All of them, in the order in which submissions come to them.
-    pub const ALL: [Self; 39] = [
+    pub const ALL: [Self; 41] = [
         Self::ArchiveNotUnpacked,
         Self::NoMakefile,
         Self::DoesNotBuild,
@@ -128,6 +132,8 @@ impl Mistake {
         Self::EnergyPump,
         Self::EnergyLostElastic,
         Self::RestitutionWrong,
+        Self::InterfaceMissing,
+        Self::InterfaceWrong,
     ];
 
     /// The mistake of that name.
@@ -158,7 +164,7 @@ mod tests {
     fn all_are_listed_once_in_their_order_and_found_by_name() {
         assert!(Mistake::ALL.windows(2).all(|pair| pair[0] < pair[1]));
         // The last of an enum has the highest number.
-        assert_eq!(Mistake::ALL.len(), Mistake::RestitutionWrong as usize + 1);
+        assert_eq!(Mistake::ALL.len(), Mistake::InterfaceWrong as usize + 1);
         for mistake in Mistake::ALL {
             assert_eq!(Mistake::named(&mistake.id()), Some(mistake));
         }

@@ -1,11 +1,13 @@
 //! The rubric: a course's numbers, tolerances and points, from a TOML file.
 
+pub mod interface;
 pub mod program;
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use self::interface::Interface;
 use self::program::Program;
 use super::check::Check;
 use super::mistake::Mistake;
@@ -116,6 +118,9 @@ pub struct Rubric {
     pub hints: BTreeMap<Mistake, String>,
     /// How submissions are built and run.
     pub program: Program,
+    /// Unit tests of what students declare, if there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interface: Option<Interface>,
 }
 
 impl Default for Rubric {
@@ -142,6 +147,7 @@ impl Default for Rubric {
             visibility: BTreeMap::new(),
             hints: BTreeMap::new(),
             program: Program::default(),
+            interface: None,
         }
     }
 }
@@ -191,6 +197,7 @@ impl Rubric {
             .next()
             .or_else(|| self.part_refused())
             .or_else(|| self.program.refused())
+            .or_else(|| self.interface.as_ref().and_then(Interface::refused))
     }
 
     /// What lies between 0 and 1.
@@ -209,8 +216,11 @@ impl Rubric {
             .map(|(name, part)| format!("{name} = {part} is out of range; it is 0 to 1"))
     }
 
-    /// Points of a check.
+    /// Points of a check; none for unit tests that the rubric does not have.
     pub fn points_of(&self, check: Check) -> f64 {
+        if check == Check::Interface && self.interface.is_none() {
+            return 0.0;
+        }
         self.points.get(&check).copied().unwrap_or(check.usual_points())
     }
 

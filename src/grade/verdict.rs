@@ -126,6 +126,9 @@ impl Report {
 
     /// Asks a check, unless the one it hangs on failed or was skipped itself.
     pub fn decide(&mut self, check: Check, ask: impl FnOnce() -> Verdict) {
+        if check == Check::Interface && self.rubric.interface.is_none() {
+            return self.push(check, Status::NotSeen);
+        }
         let status = match check.needs().map(|needed| (needed, self.status(needed))) {
             Some((needed, Some(Status::Failed(_)))) => Status::Skipped(needed),
             Some((_, Some(Status::Skipped(root)))) => Status::Skipped(*root),

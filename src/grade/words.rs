@@ -84,6 +84,14 @@ pub enum Finding {
     EnergyGrows,
     /// Energy falls.
     EnergyFalls,
+    /// The probe cannot be built with what was handed in.
+    ProbeNotBuilt,
+    /// The probe ended with an error, or not in its time.
+    ProbeEndsBadly,
+    /// The probe printed fewer numbers than expected.
+    TooFewNumbers,
+    /// The probe printed other numbers.
+    OtherNumbers,
 }
 
 /// What the reader should know, though it costs nothing.
@@ -164,6 +172,14 @@ pub enum Quantity {
     Frames,
     /// Frames that the rubric wants.
     FramesWanted,
+    /// A number that a function gave.
+    Came,
+    /// The number that it should give.
+    Expected,
+    /// Numbers printed.
+    Numbers,
+    /// Numbers that should be printed.
+    NumbersWanted,
 }
 
 /// The words for a check.
@@ -208,6 +224,8 @@ pub struct Words {
     pub note: fn(Note) -> &'static str,
     /// Of mistakes.
     pub mistake: fn(Mistake) -> MistakeWords,
+    /// Before the name, the numbers and the own hint of a unit test.
+    pub case: [&'static str; 3],
     /// Before files that are not there, and before archives that are.
     pub missing: [&'static str; 2],
     /// Before the name of a program that should have been built and was not.
@@ -226,6 +244,8 @@ pub struct Words {
     pub not_seen: &'static str,
     /// Said of `many` where the program is not told how many discs.
     pub not_told: &'static str,
+    /// Said of `interface` where the rubric has no unit tests.
+    pub no_interface: &'static str,
     /// Before the failed check that a skipped one hangs on.
     pub skipped: &'static str,
     /// Between points earned and all, and after those that are left out.

@@ -7,7 +7,8 @@ use super::document::{Paper, document, picture, printed, section};
 use super::number::{percent, points};
 use super::plain::{beginning, one_line, plain};
 use super::text::{
-    face, found, graded_by, is_kept_back, is_untold, notes, numbers, said, said_by, sum,
+    face, found, graded_by, is_kept_back, is_untold, is_without_tests, notes, numbers, said,
+    said_by, sum,
 };
 use super::words::{Face, Words};
 use crate::grade::check::Check;
@@ -70,6 +71,7 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Str
     let inside = match status {
         Status::Passed => String::new(),
         Status::NotSeen if is_untold(report, check) => paragraph("kind", words.not_told),
+        Status::NotSeen if is_without_tests(report, check) => paragraph("kind", words.no_interface),
         Status::NotSeen => paragraph("kind", (words.kindly)(face)),
         Status::Skipped(root) if is_kept_back(graded, *root) => {
             paragraph("kind", (words.kindly)(Face::NotSeen))

@@ -63,6 +63,9 @@ pub fn lines(graded: &Graded, check: Check, status: &Status, words: &Words) -> V
         Status::NotSeen if is_untold(&graded.report, check) => {
             vec![words.grade.not_told.to_owned()]
         }
+        Status::NotSeen if is_without_tests(&graded.report, check) => {
+            vec![words.grade.no_interface.to_owned()]
+        }
         Status::NotSeen => vec![words.grade.not_seen.to_owned()],
         // Not a word of a check that students are not to see.
         Status::Skipped(root) if is_kept_back(graded, *root) => {
@@ -71,6 +74,11 @@ pub fn lines(graded: &Graded, check: Check, status: &Status, words: &Words) -> V
         Status::Skipped(root) => vec![format!("{} {}", words.grade.skipped, root.id())],
         Status::Failed(failure) => failure_lines(graded, failure, words),
     }
+}
+
+/// Whether a check was not asked because the rubric has no unit tests.
+pub fn is_without_tests(report: &Report, check: Check) -> bool {
+    check == Check::Interface && report.rubric().interface.is_none()
 }
 
 /// Whether a check was not asked because the program is not told how many discs.

@@ -62,6 +62,8 @@ pub struct Words {
     pub kindly: fn(Face) -> &'static str,
     /// In its place for `many` where the program is not told how many discs.
     pub not_told: &'static str,
+    /// In its place for `interface` where the rubric has no unit tests.
+    pub no_interface: &'static str,
     /// Heading of the checks.
     pub checks: &'static str,
     /// Before what was found.

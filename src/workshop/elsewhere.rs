@@ -75,6 +75,20 @@ impl PrivateFolder {
 }
 
 impl Made<'_> {
+    /// # Errors
+    ///
+    /// Cannot be called.
+    pub fn add(&self, _: &str, _: &[u8]) -> Result<(), Closed> {
+        match self.never {}
+    }
+
+    /// # Errors
+    ///
+    /// Cannot be called.
+    pub fn build_by(&self, _: &[String], _: &Limits) -> Result<Step, Closed> {
+        match self.never {}
+    }
+
     /// Where it is; cannot be called.
     pub fn folder(&self) -> PathBuf {
         match self.never {}

@@ -12,6 +12,7 @@ pub const ENGLISH: Words = Words {
     quantity,
     note,
     mistake,
+    case: ["case", "given", "hint of this case"],
     missing: ["missing", "still packed"],
     no_program: "the build ended well, but there is no program",
     frame: "frame",
@@ -21,6 +22,7 @@ pub const ENGLISH: Words = Words {
     hint: "hint",
     not_seen: "not seen: nothing in these frames decides it",
     not_told: "not seen: the program is not told how many discs ({n} is neither in `arguments` nor in `stdin` of the rubric)",
+    no_interface: "not seen: the rubric has no [interface]",
     skipped: "can't be judged until this is right:",
     points: ["of", "not judged"],
     left_out: ["cut frames left out:", "frames at uneven times left out:"],
@@ -79,6 +81,10 @@ fn check(check: Check) -> CheckWords {
             "Built once more with -Wall -Wextra."),
         Check::Sanitizer => ("memory and arithmetic are used as the language asks",
             "Built and run once more with the address and undefined behaviour sanitizers."),
+        Check::Interface => ("functions of the header give the right numbers",
+            "A small program of your instructor's includes your header, hands numbers to your functions and prints what \
+             they return. The last numbers that it prints are compared with those expected. Asked only if the rubric \
+             has an [interface]."),
     };
     CheckWords { title, explained }
 }
@@ -122,6 +128,10 @@ fn finding(finding: Finding) -> FindingWords {
         Finding::WrongRestitution => ("the speed after contacts is not what it should be", "the restitution that follows from the assignment"),
         Finding::EnergyGrows => ("the energy of all discs grows", "energy that stays, or falls with damping"),
         Finding::EnergyFalls => ("elastic discs lose energy", "energy that stays"),
+        Finding::ProbeNotBuilt => ("the instructor's program that includes your header cannot be built", "names, types and files as in the assignment's interface"),
+        Finding::ProbeEndsBadly => ("the instructor's program that calls your functions ended with an error, or not in its time", "functions that return"),
+        Finding::TooFewNumbers => ("the instructor's program that calls your functions printed too few numbers", "the numbers of the case"),
+        Finding::OtherNumbers => ("a function gives other numbers than it should", "the numbers of the case, to its tolerance"),
     };
     FindingWords { what, expected }
 }
@@ -158,6 +168,10 @@ fn quantity(quantity: Quantity) -> &'static str {
         Quantity::Frames => "frames",
         Quantity::FramesWanted => "frames wanted, at least",
         Quantity::Signal => "signal",
+        Quantity::Came => "came out",
+        Quantity::Expected => "should be",
+        Quantity::Numbers => "numbers printed",
+        Quantity::NumbersWanted => "numbers expected",
         Quantity::Bytes => "written, bytes",
     }
 }
@@ -183,6 +197,8 @@ fn note(note: Note) -> &'static str {
 #[allow(clippy::too_many_lines)] // a table
 fn mistake(mistake: Mistake) -> MistakeWords {
     let (looks_like, hint) = match mistake {
+        Mistake::InterfaceMissing => ("a name, a type or a file that differs from the assignment's interface", "read the first error: which name of the assignment does it not find in your header?"),
+        Mistake::InterfaceWrong => ("a function that computes something else than the assignment's formula", "compute this case by hand, step by step: lengths, signs, directions, units"),
         Mistake::NoMakefile => ("a Makefile that was forgotten, or has another name", "list the folder as you handed it in: is it as the assignment says?"),
         Mistake::ArchiveNotUnpacked => ("files that are still in an archive", "the files themselves belong in the folder: what is in an archive is not looked at"),
         Mistake::ProgramNotRebuilt => ("an old program that was handed in: the build left it as it was, and what the sources say was not run", "hand in sources only: make clean, and then look whether make builds it"),

@@ -10,6 +10,7 @@ pub const ENGLISH: Words = Words {
     face,
     kindly,
     not_told: "Programs of this course are not told how many discs to take. It costs no points.",
+    no_interface: "This course does not test functions one by one. It costs no points.",
     checks: "Check by check",
     found: "found",
     notes: "Good to know",

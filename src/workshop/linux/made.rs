@@ -1,7 +1,8 @@
 //! A submission that was copied and built, and is run.
 
-use std::fs::{self, Permissions};
-use std::os::unix::fs::PermissionsExt;
+use std::fs::{self, OpenOptions, Permissions};
+use std::io::Write;
+use std::os::unix::fs::{OpenOptionsExt, PermissionsExt, chown};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -46,14 +47,7 @@ impl Workshop {
         let missing = submission.files.iter().filter(|file| !is_there(file)).cloned().collect();
         let mut made = Made { workshop: self, folder, owner, missing, left_out, build: None };
         if !submission.build.is_empty() {
-            let work = Work {
-                command: &submission.build,
-                stdin: &[],
-                wall: limits.build_wall,
-                files: limits.build_files,
-            };
-            let Attempt { outcome, log, took, .. } = made.attempt(&work, limits, None, None)?;
-            made.build = Some(Step { outcome, log, took });
+            made.build = Some(made.build_by(&submission.build, limits)?);
         }
         Ok(made)
     }
@@ -68,6 +62,34 @@ struct Work<'a> {
 }
 
 impl Made<'_> {
+    /// Puts a file into it, in place of whatever has that name.
+    ///
+    /// # Errors
+    ///
+    /// If the machine fails.
+    pub fn add(&self, name: &str, contents: &[u8]) -> Result<(), Closed> {
+        let path = self.folder.work().join(name);
+        let add = || {
+            remove(&path)?;
+            let mut options = OpenOptions::new();
+            options.write(true).create_new(true).mode(0o600).open(&path)?.write_all(contents)?;
+            chown(&path, self.owner, self.owner)
+        };
+        add().map_err(Closed::broken(format!("add {name} to a submission")))
+    }
+
+    /// Builds by one more command, word by word.
+    ///
+    /// # Errors
+    ///
+    /// If the machine fails; what a submission does wrong is in what is returned.
+    pub fn build_by(&self, command: &[String], limits: &Limits) -> Result<Step, Closed> {
+        let (wall, files) = (limits.build_wall, limits.build_files);
+        let work = Work { command, stdin: &[], wall, files };
+        let Attempt { outcome, log, took, .. } = self.attempt(&work, limits, None, None)?;
+        Ok(Step { outcome, log, took })
+    }
+
     /// Where it is; only for looking.
     pub fn folder(&self) -> PathBuf {
         self.folder.work()
