@@ -37,7 +37,7 @@ use self::restitution::Restitutions;
 use self::rubric::Rubric;
 use self::stiffness::Stiffness;
 use self::stuck::Stuck;
-use self::verdict::{Report, Status};
+use self::verdict::{Failure, Report, Status};
 use self::words::Note;
 
 /// Judges what a submission wrote (the bytes of a file of many frames).
@@ -64,11 +64,21 @@ const MOST_DISCS: usize = 5000;
 /// Frames times the square of discs that are looked at: some seconds of work, whatever was written.
 const MOST_WORK: usize = 400_000_000;
 
+/// Fewer frames than these show no motion, whatever the rubric wants: a second difference takes three.
+const LEAST_FRAMES: usize = 3;
+
+/// The film, if there are as many frames as the rubric wants. Cut ones were written, and count.
+fn long_enough(film: Film, rubric: &Rubric) -> Result<Film, Failure> {
+    let (frames, wanted) =
+        (film.frames.len() + film.torn, rubric.program.frames_at_least.max(LEAST_FRAMES));
+    if frames < wanted { Err(Failure::too_few_frames(frames, wanted)) } else { Ok(film) }
+}
+
 /// Adds the checks of frames, `frames` to `energy`, to a report that has those before them.
 ///
 /// Gives the film, for pictures, if there is one.
 pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Option<Film> {
-    let film = match read(footage, rubric) {
+    let film = match read(footage, rubric).and_then(|film| long_enough(film, rubric)) {
         Ok(film) => film,
         Err(failure) => {
             report.decide(Check::Frames, || Status::Failed(failure));

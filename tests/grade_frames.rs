@@ -7,9 +7,12 @@ use std::fmt::Write as _;
 use std::fs;
 
 use parsim2d::grade::check::Check;
-use parsim2d::grade::grade;
+use parsim2d::grade::frames::Footage;
 use parsim2d::grade::mistake::Mistake;
 use parsim2d::grade::rubric::Rubric;
+use parsim2d::grade::rubric::program::Program as Course;
+use parsim2d::grade::words::Finding;
+use parsim2d::grade::{grade, grade_film};
 use proptest::prelude::*;
 
 #[path = "support/runs.rs"]
@@ -209,6 +212,60 @@ fn a_file_that_is_no_film_says_what_is_wrong_with_it() {
     let short = Rubric { n: vec![21], ..elastic() };
     let report = grade(plain.as_bytes(), &short);
     assert_eq!(lost(&report), [(Discs, Some(Mistake::DiscLost))], "20 where 21 are asked for");
+}
+
+/// Discs in rows, so near to each other that none is free: 0.1 mm between them, and none on the floor.
+fn crowd() -> String {
+    let row = |i: usize| {
+        let (x, y) = (0.001 + 0.0011 * (i % 35) as f64, 0.001 + 0.0011 * (i / 35) as f64);
+        format!("{x:.6} {y:.6} 5e-4\n")
+    };
+    (0..35 * 35).map(row).collect::<String>() + "\n"
+}
+
+#[test]
+fn frames_that_show_no_motion_earn_no_full_marks_however_they_were_written() {
+    let moving = Program::new(Bug::None, 1).output();
+    let first = |count: usize| -> Vec<Vec<u8>> {
+        let frames = moving.split_inclusive("\n\n").take(count);
+        frames.map(|frame| frame.as_bytes().to_vec()).collect()
+    };
+    for (count, percent) in [(1, 0.0), (2, 0.0), (19, 0.0), (20, 100.0)] {
+        let frames = first(count);
+        let file = frames.concat();
+        for footage in [Footage::File(&file), Footage::Snapshots(&frames)] {
+            let report = grade_film(footage, &elastic());
+            assert_eq!(report.percent(), percent, "{count} frames: {:#?}", report.checks);
+            let failed = report.failures().map(|(check, why)| (check, why.finding)).next();
+            let expected = (count < 20).then_some((Check::Frames, Finding::TooFewFrames));
+            assert_eq!(failed, expected, "{count} frames");
+        }
+    }
+    let few = Course { frames_at_least: 1, ..elastic().program };
+    let least = grade(&first(2).concat(), &Rubric { program: few, ..elastic() });
+    assert_eq!(lost(&least), [(Check::Frames, None)], "a second difference takes three frames");
+    let hanging = String::from_utf8(first(1).concat()).unwrap();
+    let floor: String = (1..20).map(|i| format!("{} 5e-4 5e-4\n", 0.002 * f64::from(i))).collect();
+    for (what, frame, cause) in [
+        ("in the air", hanging, Some(Mistake::GravityMissing)),
+        ("in a crowd", crowd(), Some(Mistake::GravityMissing)),
+        ("on the floor", floor + "\n", None),
+    ] {
+        let report = grade(frame.repeat(30).as_bytes(), &elastic());
+        assert_eq!(lost(&report), [(Check::FreeFlight, cause)], "{what}");
+    }
+    // A film that is cut because it blew up was long enough before.
+    let blown = first(30).into_iter().enumerate().map(|(k, frame)| {
+        let frame = String::from_utf8(frame).unwrap();
+        let (_, rest) = frame.split_once(' ').unwrap();
+        match k {
+            0..8 => frame,
+            8 => format!("1e90 {rest}"),
+            _ => format!("inf {rest}"),
+        }
+    });
+    let report = grade(blown.collect::<String>().as_bytes(), &elastic());
+    assert!(report.passed(Check::Frames) && report.frames == 9, "{:#?}", report.checks);
 }
 
 proptest! {

@@ -205,6 +205,9 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
 
 /// Whether discs that meet nobody fall, straight and evenly.
 pub fn verdict(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
+    if rubric.gravity > 0.0 && is_still(film) {
+        return Status::Failed(nothing_moves(film, rubric));
+    }
     let samples = &flights.samples;
     if samples.len() < 3 {
         return Status::NotSeen;
@@ -219,7 +222,7 @@ pub fn verdict(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
     let cause = if rubric.gravity == 0.0 {
         (pull.length() > blur).then_some(Mistake::GravitySideways)
     } else if pull.length() <= blur {
-        if !has_moved(film) && !is_still(film) {
+        if !has_moved(film) {
             return Status::NotSeen; // too short a film to see anything fall
         }
         Some(Mistake::GravityMissing)
@@ -246,6 +249,32 @@ fn has_moved(film: &Film) -> bool {
 /// Whether nobody moves at all, in a film long enough to tell.
 fn is_still(film: &Film) -> bool {
     film.frames.len() >= 10 && film.frames.iter().all(|frame| frame == &film.frames[0])
+}
+
+/// All frames are the same. Somebody hangs in the air, or all lie on something: then that may be right, but
+/// such a film shows no motion.
+fn nothing_moves(film: &Film, rubric: &Rubric) -> Failure {
+    let hanging = hanging(film, rubric);
+    let cause = hanging.map(|_| Mistake::GravityMissing);
+    let frames = film.frames.len();
+    let failure = Failure::of(Finding::NothingMoves, cause).with(Quantity::Frames, frames as f64);
+    let discs: Vec<usize> = hanging.into_iter().collect();
+    failure.at(frames - 1, &discs)
+}
+
+/// A disc that touches nothing it could lie on. In a crowd nobody may be free, and still most hang.
+fn hanging(film: &Film, rubric: &Rubric) -> Option<usize> {
+    let reach = |i: usize| 0.1 * film.radius(i) + 8.0 * film.usual_blur();
+    let lies = |i: usize| {
+        let (place, radius) = (film.at(0, i), film.radius(i));
+        let on = |j: usize| {
+            let way = place - film.at(0, j);
+            let gap = way.length() - radius - film.radius(j);
+            j != i && gap < reach(i) && way.y > -reach(i)
+        };
+        place.y - rubric.corner[1] - radius < reach(i) || (0..film.n()).any(on)
+    };
+    (0..film.n()).find(|&i| !lies(i))
 }
 
 /// The second difference changes from place to place.

@@ -7,7 +7,7 @@ use super::discs;
 use super::flight::Flights;
 use super::frames::{Footage, read};
 use super::rubric::Rubric;
-use super::verdict::{Status, Verdict};
+use super::verdict::{Failure, Status, Verdict};
 
 /// In a crowd discs that touch a wall are pushed further by others: twice the depth of one alone.
 const CROWDED: f64 = 2.0;
@@ -16,6 +16,10 @@ const CROWDED: f64 = 2.0;
 pub fn verdict(footage: Footage, n: usize, rubric: &Rubric) -> Verdict {
     let rubric = Rubric { n: vec![n], ..rubric.clone() };
     let film = match read(footage, &rubric) {
+        // One frame of many shows that they were placed, not that they were stepped.
+        Ok(film) if film.frames.len() < 2 => {
+            return Status::Failed(Failure::too_few_frames(film.frames.len(), 2));
+        }
         Ok(film) => film.before_it_blew_up(),
         Err(failure) => return Status::Failed(failure),
     };

@@ -74,7 +74,7 @@ impl Failure {
         Self::of(Finding::EndedWithoutFrames, Mistake::EndsWithoutFrames).saying(log)
     }
 
-    /// A program that ended well with fewer frames than the rubric wants: nothing can be seen to move.
+    /// A film of fewer frames than the rubric wants: nothing can be seen to move.
     pub fn too_few_frames(frames: usize, wanted: usize) -> Self {
         let failure = Self::of(Finding::TooFewFrames, None);
         failure.with(Quantity::Frames, frames as f64).with(Quantity::FramesWanted, wanted as f64)

@@ -68,6 +68,8 @@ pub enum Finding {
     StartsOverlapping,
     /// A constant acceleration, but not the asked one.
     WrongPull,
+    /// All frames are the same.
+    NothingMoves,
     /// An acceleration that changes in flight.
     PullNotConstant,
     /// A wall changes the velocity along it.
