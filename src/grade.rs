@@ -15,6 +15,7 @@ pub mod film;
 pub mod flight;
 pub mod frames;
 pub mod interface;
+pub mod long_run;
 pub mod many;
 pub mod mistake;
 pub mod near;
@@ -74,7 +75,7 @@ fn long_enough(film: Film, rubric: &Rubric) -> Result<Film, Failure> {
     if frames < wanted { Err(Failure::too_few_frames(frames, wanted)) } else { Ok(film) }
 }
 
-/// Adds the checks of frames, `frames` to `energy`, to a report that has those before them.
+/// Adds the checks of frames, `frames` to `long_run`, to a report that has those before them.
 ///
 /// Gives the film, for pictures, if there is one.
 pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Option<Film> {
@@ -149,4 +150,7 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     let told = is_told || contacts.into_iter().any(|&check| report.failed(check));
     report.decide(Check::Energy, || energy::verdict(film, &flights, rubric, &seen, told));
     report.forgive_walls_that_were_shot_through();
+    let told = report.failures().any(|(check, _)| check.is_of_frames());
+    let moves = (&flights, &collisions[..]);
+    report.decide(Check::LongRun, || long_run::verdict(film, moves, rubric, &seen, told));
 }

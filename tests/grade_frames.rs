@@ -32,8 +32,9 @@ fn right_programs_lose_nothing_and_every_check_is_seen() {
                 &rubric,
             );
             assert_eq!(lost(&report), [], "seed {seed}, eta {eta}: {:#?}", report.checks);
-            // A pair's restitution needs two straight hits with nobody else near: one seed has one.
-            assert!(report.open() <= 1.0, "seed {seed}, eta {eta}: {:#?}", report.checks);
+            // A pair's restitution needs two straight hits with nobody else near: one seed has one. And
+            // the film is too short for its end to be judged.
+            assert!(report.open() <= 2.0, "seed {seed}, eta {eta}: {:#?}", report.checks);
         }
     }
 }
@@ -277,7 +278,7 @@ proptest! {
         bytes in proptest::collection::vec(any::<u8>(), 0..400),
         rows in proptest::collection::vec((any::<f64>(), -0.01..0.05f64, -1e-3..1e-3f64, 0..9u8), 0..120),
     ) {
-        prop_assert_eq!(grade(&bytes, &elastic()).checks.len(), 11);
+        prop_assert_eq!(grade(&bytes, &elastic()).checks.len(), 12);
         let mut text = String::new();
         for (wild, x, r, kind) in rows {
             match kind {
@@ -288,7 +289,7 @@ proptest! {
             }
         }
         for rubric in [elastic(), Rubric { n: vec![1, 2, 3], ..damped() }] {
-            prop_assert_eq!(grade(text.as_bytes(), &rubric).checks.len(), 11);
+            prop_assert_eq!(grade(text.as_bytes(), &rubric).checks.len(), 12);
         }
     }
 }

@@ -25,14 +25,14 @@ fn what_hangs_on_a_failure_is_skipped_and_costs_nothing_unless_the_rubric_says_s
     let text = Program::new(Bug::GravitySign, 1).output();
     let report = grade(text.as_bytes(), &elastic());
     let skipped = report.checks.iter().filter(|(_, s)| *s == Status::Skipped(Check::FreeFlight));
-    assert_eq!(skipped.count(), 5);
-    assert_eq!((report.earned(), report.lost(), report.open()), (5.0, 3.0, 8.0));
+    assert_eq!(skipped.count(), 6);
+    assert_eq!((report.earned(), report.lost(), report.open()), (5.0, 3.0, 9.0));
     let strict = Rubric::parse("skipped = \"lost\"\nrestitution = 1.0").unwrap();
     let report = grade(text.as_bytes(), &strict);
-    assert_eq!((report.earned(), report.lost(), report.open()), (5.0, 11.0, 0.0));
+    assert_eq!((report.earned(), report.lost(), report.open()), (5.0, 12.0, 0.0));
     let empty = grade(b" \n", &elastic());
     assert_eq!(lost(&empty), [(Check::Frames, Some(Mistake::EmptyFile))]);
-    assert_eq!((empty.percent(), empty.checks.len()), (0.0, 11));
+    assert_eq!((empty.percent(), empty.checks.len()), (0.0, 12));
     let two = grade(b"1 2\n3 4\n", &elastic());
     assert_eq!(lost(&two), [(Check::Frames, Some(Mistake::WrongColumns))]);
 }
@@ -177,9 +177,9 @@ fn what_goes_wrong_before_there_are_frames_skips_the_frames() {
     report.skip_the_rest();
     assert_eq!(lost(&report), [(Check::Builds, Some(Mistake::DoesNotBuild))]);
     let skipped = |(_, status): &&(Check, Status)| *status == Status::Skipped(Check::Builds);
-    assert_eq!(report.checks.iter().filter(skipped).count(), 15);
+    assert_eq!(report.checks.iter().filter(skipped).count(), 16);
     // What hangs on a build is lost with it, unless the rubric says otherwise.
-    assert_eq!((report.earned(), report.lost(), report.open()), (1.0, 21.0, 0.0));
+    assert_eq!((report.earned(), report.lost(), report.open()), (1.0, 22.0, 0.0));
     let json = report.json(&ENGLISH);
     assert_eq!(json["checks"][1]["failure"]["said"], "error: <b>expected</b> ';'");
     assert_eq!(json["checks"][3]["needs"], "runs");
@@ -187,7 +187,7 @@ fn what_goes_wrong_before_there_are_frames_skips_the_frames() {
     let json = grade(sticky().as_bytes(), &Rubric::default()).json(&ENGLISH);
     assert_eq!(
         (json["checks"].as_array().unwrap().len(), &json["checks"][0]["needs"]),
-        (11, &().into())
+        (12, &().into())
     );
 }
 

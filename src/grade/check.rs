@@ -34,6 +34,8 @@ pub enum Check {
     RestitutionPair,
     /// The energy of all never grows, and stays if nothing takes it.
     Energy,
+    /// In a long film discs come to rest at the bottom, or are a gas in equilibrium.
+    LongRun,
     /// A box of a thousand discs.
     Many,
     /// The compiler has nothing to warn of.
@@ -46,7 +48,7 @@ pub enum Check {
 
 impl Check {
     /// All, in the order in which they are asked.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Files,
         Self::Builds,
         Self::Runs,
@@ -61,6 +63,7 @@ impl Check {
         Self::RestitutionWall,
         Self::RestitutionPair,
         Self::Energy,
+        Self::LongRun,
         Self::Many,
         Self::Warnings,
         Self::Sanitizer,
@@ -93,6 +96,7 @@ impl Check {
             Self::RestitutionWall => "restitution_wall",
             Self::RestitutionPair => "restitution_pair",
             Self::Energy => "energy",
+            Self::LongRun => "long_run",
             Self::Many => "many",
             Self::Warnings => "warnings",
             Self::Sanitizer => "sanitizer",
@@ -117,7 +121,7 @@ impl Check {
             Self::WallBounce | Self::PairCollision | Self::Energy => Some(Self::FreeFlight),
             Self::RestitutionWall => Some(Self::WallBounce),
             Self::RestitutionPair => Some(Self::PairCollision),
-            Self::Many => Some(Self::Energy),
+            Self::LongRun | Self::Many => Some(Self::Energy),
         }
     }
 

@@ -80,6 +80,10 @@ pub enum Mistake {
     DampingSign,
     /// Energy grows, elsewhere than in bounces.
     EnergyPump,
+    /// Discs are put to sleep where nothing holds them.
+    StoppedInTheAir,
+    /// Velocities are set, limited or corrected by something else than forces.
+    SpeedsSet,
     /// Elastic discs lose energy.
     EnergyLostElastic,
     /// Another restitution than asked.
@@ -92,7 +96,7 @@ pub enum Mistake {
 
 impl Mistake {
     /// All of them, in the order in which submissions come to them.
-    pub const ALL: [Self; 41] = [
+    pub const ALL: [Self; 43] = [
         Self::ArchiveNotUnpacked,
         Self::NoMakefile,
         Self::DoesNotBuild,
@@ -130,6 +134,8 @@ impl Mistake {
         Self::ExplicitEuler,
         Self::DampingSign,
         Self::EnergyPump,
+        Self::StoppedInTheAir,
+        Self::SpeedsSet,
         Self::EnergyLostElastic,
         Self::RestitutionWrong,
         Self::InterfaceMissing,

@@ -94,6 +94,14 @@ pub enum Finding {
     TooFewNumbers,
     /// The probe printed other numbers.
     OtherNumbers,
+    /// Late in a long film a disc is where no heap reaches.
+    HangsInTheEnd,
+    /// Late in a long film discs that lose speed still move.
+    NeverRests,
+    /// Velocities in a long film are not those of a gas.
+    NotGaussian,
+    /// Heights in a long film are not those of a gas.
+    NotExponential,
 }
 
 /// What the reader should know, though it costs nothing.
@@ -182,6 +190,16 @@ pub enum Quantity {
     Numbers,
     /// Numbers that should be printed.
     NumbersWanted,
+    /// Height of a disc's lowest point over the floor, radii.
+    HeightOverRadius,
+    /// Speed over that of a fall from ceiling to floor.
+    SpeedOverFall,
+    /// Largest distance of two distributions.
+    Distance,
+    /// The largest that a right program's may have.
+    LargestDistance,
+    /// Places of discs that were used.
+    Places,
 }
 
 /// The words for a check.

@@ -36,6 +36,12 @@ pub enum Bug {
     NormalNotNormalised,
     ForceAppliedTwice,
     DashpotAtFloorOnly,
+    /// The first disc that touches the left wall 8 mm and more over the floor stays there.
+    StaysAtWall,
+    /// Discs that lie on the floor are given a speed along it.
+    NeverLiesStill,
+    /// Discs stay on the floor for 40 frames before they bounce.
+    WaitsOnFloor,
 }
 
 /// The guide's program as a student writes it: two loops, Eq. (1) to (3).
@@ -175,10 +181,45 @@ impl Program {
         }
     }
 
+    /// What some bugs do after a step; `held` are discs that do not move, with their steps left.
+    fn meddle(&self, discs: &mut [Disc], before: &[Disc], held: &mut Vec<(usize, usize, Disc)>) {
+        held.retain_mut(|(i, left, kept)| {
+            *left -= 1;
+            discs[*i] = if *left == 0 { *kept } else { [kept[0], kept[1], 0.0, 0.0] };
+            *left > 0
+        });
+        for (i, disc) in discs.iter_mut().enumerate() {
+            let depth = self.radius - disc[1];
+            let lies = depth > 0.0 && depth < 3.0 * MASS * 9.81 / STIFFNESS && disc[3].abs() < 0.02;
+            let is_at_wall = disc[0] < 1.1 * self.radius || disc[0] > SIDE - 1.1 * self.radius;
+            let is_touched = |(j, d): (usize, &Disc)| {
+                j != i && (d[0] - disc[0]).hypot(d[1] - disc[1]) < 2.1 * self.radius
+            };
+            if self.bug == Bug::NeverLiesStill
+                && lies
+                && disc[2].abs() < 0.4
+                && !is_at_wall
+                && !before.iter().enumerate().any(is_touched)
+            {
+                disc[2] = 0.4f64.copysign(disc[2]);
+            }
+            let [x, y, ..] = before[i];
+            let is_first = self.bug == Bug::StaysAtWall && held.is_empty() && y > 0.008;
+            if is_first && x < self.radius {
+                held.push((i, usize::MAX, [self.radius, y, 0.0, 0.0]));
+            }
+            let touches = depth > 0.0 && before[i][1] >= self.radius && disc[3] < 0.0;
+            if self.bug == Bug::WaitsOnFloor && touches {
+                let [x, y, vx, vy] = before[i];
+                held.push((i, 40 * self.every, [x, y, vx, -vy]));
+            }
+        }
+    }
+
     /// What it writes: six significant digits, as C++ streams do.
     pub fn output(mut self) -> String {
         let mut discs = self.place();
-        let mut out = String::new();
+        let (mut out, mut held) = (String::new(), Vec::new());
         let printed = if self.bug == Bug::Diameter { 2.0 * self.radius } else { self.radius };
         for frame in 0..self.frames {
             if self.bug == Bug::OrderChanges && frame % 40 == 20 {
@@ -198,7 +239,9 @@ impl Program {
             out.push('\n');
             let more = self.bug == Bug::UnevenFrames && self.random() < 0.5;
             for _ in 0..if more { 2 * self.every } else { self.every } {
+                let before = discs.clone();
                 self.step(&mut discs);
+                self.meddle(&mut discs, &before, &mut held);
             }
         }
         out

@@ -75,6 +75,12 @@ fn check(check: Check) -> CheckWords {
             "The sum over discs of v²/2 + c y in free flight, first tenth of the film beside the last: \
              it never grows, and stays for elastic discs. A trajectory is never compared: two right \
              programs part after ten collisions."),
+        Check::LongRun => ("in the end discs lie at the bottom, or are a gas",
+            "Asked of long films only. Discs that lose speed come to rest: in the last quarter of a film, if that begins \
+             4 t_f/(1 - e) after the start (t_f: a fall from ceiling to floor), they are slower than an eighth of the fall \
+             speed and none is above the heap. Elastic ones, if there are ten and more and each has met others often, \
+             are a gas: heights exponential, velocities Gaussian, by the test of Kolmogorov and Smirnov at 1e-4, with \
+             frames in between of which nearly all met somebody and something to spare for few discs of finite size."),
         Check::Many => ("a box of a thousand discs works as well",
             "A few frames of a second run with 1000 discs: all there, apart at the start, finite, in the box."),
         Check::Warnings => ("the compiler has nothing to warn of",
@@ -133,10 +139,15 @@ fn finding(finding: Finding) -> FindingWords {
         Finding::ProbeEndsBadly => ("the instructor's program that calls your functions ended with an error, or not in its time", "functions that return"),
         Finding::TooFewNumbers => ("the instructor's program that calls your functions printed too few numbers", "the numbers of the case"),
         Finding::OtherNumbers => ("a function gives other numbers than it should", "the numbers of the case, to its tolerance"),
+        Finding::HangsInTheEnd => ("a disc stays in the air after all should have come to rest", "a heap at the bottom"),
+        Finding::NeverRests => ("discs go on moving after they should have come to rest", "discs that each contact makes slower, until they lie still"),
+        Finding::NotGaussian => ("the velocities of elastic discs are not those of a gas", "Gaussian components of one variance"),
+        Finding::NotExponential => ("the heights of elastic discs are not those of a gas", "an exponential, with a scale of kT/(m g) by the velocities"),
     };
     FindingWords { what, expected }
 }
 
+#[allow(clippy::too_many_lines)] // a table
 fn quantity(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::BadLines => "lines that are no disc",
@@ -174,6 +185,13 @@ fn quantity(quantity: Quantity) -> &'static str {
         Quantity::Numbers => "numbers printed",
         Quantity::NumbersWanted => "numbers expected",
         Quantity::Bytes => "written, bytes",
+        Quantity::HeightOverRadius => "height over the floor, radii",
+        Quantity::SpeedOverFall => {
+            "speed (root mean square) over that of a fall from ceiling to floor"
+        }
+        Quantity::Distance => "largest distance of the distributions",
+        Quantity::LargestDistance => "largest distance to be expected",
+        Quantity::Places => "places of discs that were used",
     }
 }
 
@@ -237,6 +255,8 @@ fn mistake(mistake: Mistake) -> MistakeWords {
         Mistake::ExplicitEuler => ("a position that is updated with the old velocity", "in Eq. (3), which velocity moves the disc, and is it there already when you use it?"),
         Mistake::DampingSign => ("a dashpot that pushes where it should brake", "two discs come nearer: which sign has v_rn then, and which way should the dashpot act?"),
         Mistake::EnergyPump => ("something that makes energy", "follow one disc through one contact: how much work is done on the way in, how much on the way out?"),
+        Mistake::StoppedInTheAir => ("discs that are put to sleep where nothing holds them", "when does your program leave a disc out of a step: is it slow there, or is it held?"),
+        Mistake::SpeedsSet => ("velocities that are set, limited or corrected by something else than forces", "which lines change a velocity, beside the one that adds F dt / m?"),
         Mistake::EnergyLostElastic => ("something that takes energy though nothing should", "which term of the force hangs on a velocity?"),
         Mistake::RestitutionWrong => ("another damping than asked", "compare k_n, eta_n and the mass in your contact with the assignment's"),
     };
