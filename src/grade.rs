@@ -8,6 +8,7 @@
 pub mod bounce;
 pub mod check;
 pub mod collision;
+pub mod delay;
 pub mod digits;
 pub mod discs;
 pub mod energy;

@@ -105,6 +105,23 @@ fn each_bug_costs_the_right_check_and_is_named() {
 }
 
 #[test]
+fn explicit_euler_without_a_dashpot_is_not_taken_for_a_wrong_sign_of_it() {
+    // e = 1.18 at walls and 1.26 of pairs, where 1/0.855 and 1/0.800 are what the wrong sign gives.
+    for seed in 1..6 {
+        for (bug, eta, check, cause) in [
+            (Bug::ExplicitEuler, 0.0, Check::Energy, Mistake::ExplicitEuler),
+            (Bug::DampingSign, 0.7, Check::RestitutionWall, Mistake::DampingSign),
+        ] {
+            let program = Program { eta, ..Program::new(bug, seed) };
+            let report = grade(program.output().as_bytes(), &damped());
+            let lost = lost(&report);
+            assert_eq!(lost[0], (check, Some(cause)), "{bug:?}, seed {seed}: {:#?}", report.checks);
+            assert!(lost.iter().all(|(_, said)| *said == Some(cause)), "{bug:?}, seed {seed}");
+        }
+    }
+}
+
+#[test]
 fn parsim2d_itself_loses_nothing() {
     let base = ["--restitution 1", "--eta 1.5e-3", "--restitution 0.7"];
     let rubrics =

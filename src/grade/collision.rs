@@ -27,6 +27,8 @@ pub struct Collision {
     pub kicks: [DVec2; 2],
     /// Change of r × v, over the touching distance and the relative speed before.
     pub twist: f64,
+    /// How much of |r × v| is lost, in the same unit.
+    pub lost: f64,
     /// Relative speed along the centres after over before, at the touching distance.
     pub restitution: f64,
     /// Relative speed before, m a frame.
@@ -102,13 +104,14 @@ fn meeting(
         return None;
     }
     let kicks = [0, 1].map(|one| (after[one] - before[one] - flights.pull * frames) / speed);
-    let twist = (way_after.perp_dot(relative_after) - way.perp_dot(relative)).abs();
+    let moments = [way.perp_dot(relative), way_after.perp_dot(relative_after)];
+    let lost = (moments[0] - moments[1]) * moments[0].signum() / (touch * speed);
     let across = (aim * speed).powi(2);
     let along_after = (relative_after.length_squared() - across).max(0.0);
     let restitution = (along_after / (speed * speed - across)).sqrt();
-    let twist = twist / (touch * speed);
+    let twist = lost.abs();
     let (frame, blur) = (end, blur / speed);
-    Some(Collision { discs, frame, aim, kicks, twist, restitution, speed, touch, blur })
+    Some(Collision { discs, frame, aim, kicks, twist, lost, restitution, speed, touch, blur })
 }
 
 /// What printing may make of a twist: a velocity is off, and acts at the distance of the frames.

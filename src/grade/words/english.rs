@@ -253,7 +253,7 @@ fn mistake(mistake: Mistake) -> MistakeWords {
         Mistake::ContactAtOneRadius => ("a contact that begins only when centres are a radius apart", "two discs touch: how far apart are their centres?"),
         Mistake::Tunnelling => ("contacts that are never noticed, or pushes far too small", "how far does a disc go in one step, compared to its radius? what length has your normal?"),
         Mistake::ExplicitEuler => ("a position that is updated with the old velocity", "in Eq. (3), which velocity moves the disc, and is it there already when you use it?"),
-        Mistake::DampingSign => ("a dashpot that pushes where it should brake", "two discs come nearer: which sign has v_rn then, and which way should the dashpot act?"),
+        Mistake::DampingSign => ("a dashpot that pushes where it should brake", "two discs come nearer: which sign has v_rn then, and which way should the dashpot act? If that is right: which velocity moves the disc in Eq. (3)?"),
         Mistake::EnergyPump => ("something that makes energy", "follow one disc through one contact: how much work is done on the way in, how much on the way out?"),
         Mistake::StoppedInTheAir => ("discs that are put to sleep where nothing holds them", "when does your program leave a disc out of a step: is it slow there, or is it held?"),
         Mistake::SpeedsSet => ("velocities that are set, limited or corrected by something else than forces", "which lines change a velocity, beside the one that adds F dt / m?"),
