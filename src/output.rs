@@ -20,7 +20,7 @@ pub mod replace;
 pub mod summary;
 pub mod trajectory;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
@@ -74,17 +74,27 @@ pub enum OutputError {
         why: String,
     },
     /// During the run.
-    #[error(
-        "writing {} failed: {source}\n  what was written before is kept; way out: {}another folder, --out-dir",
-        path.display(),
-        if wants_room(source) { "more room, or " } else { "" }
-    )]
+    #[error("writing {} failed: {source}\n  {}", path.display(), after_failure(path, source))]
     Write {
         /// The file.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
+}
+
+/// What became of the files when writing to `path` failed, and the way out.
+fn after_failure(path: &Path, source: &std::io::Error) -> String {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if folder.is_some_and(|folder| !folder.is_dir()) {
+        return "its folder is gone: what was written is where that was moved to, if it was; way out: leave a \
+                folder where it is until its run has ended"
+            .to_owned();
+    }
+    let room = if wants_room(source) { "more room, or " } else { "" };
+    format!(
+        "what was written before is kept; way out: {room}another folder, --out-dir (-o of a plot or a report)"
+    )
 }
 
 /// Whether a write failed for want of room.

@@ -6,9 +6,11 @@ mod runs;
 
 use std::fs;
 use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
 
 use parsim2d::output::checkpoint::{Checkpoint, PREVIOUS};
-use runs::{files, outcome, text, with_two_checkpoints};
+use runs::{files, outcome, parsim2d, text, with_two_checkpoints};
 
 /// The message of a refusal, which changes nothing in `folder`.
 fn refused(folder: &Path, arguments: &str) -> String {
@@ -104,7 +106,11 @@ fn physics_flags_are_refused_with_a_reason() {
 fn a_run_that_is_done_or_went_wrong_says_so_when_it_is_resumed() {
     let folder = tempfile::tempdir().unwrap();
     assert!(outcome(folder.path(), "-n 5 --seed 1 --time 1ms -q").status.success());
-    let message = refused(folder.path(), "resume");
+    // A script that resumes until the run is done comes to an end.
+    let output = outcome(folder.path(), "resume");
+    assert!(output.status.success());
+    assert!(text(&output.stderr).starts_with("note: nothing is left to do: the run there is done"));
+    let message = refused(folder.path(), "resume --time 2ms");
     assert!(message.contains("the run there is done, t = 0.001"), "{message}");
     assert!(message.contains("parsim2d last-run.toml --out-dir again --time 0.002"), "{message}");
     let wrong = "-n 20 --seed 1 --integrator explicit-euler --time 1 --speed 0.5 -q";
@@ -143,4 +149,38 @@ fn a_folder_that_cannot_be_written_is_told_before_anything_is_touched() {
     assert!(message.contains("--out-dir") && !message.contains("more room"), "{message}");
     assert_eq!(fs::read(folder.path().join("trajectory.txt")).unwrap(), before);
     assert!(outcome(folder.path(), "resume --time 0.11 --out-dir other -q").status.success());
+}
+
+#[test]
+fn a_folder_in_place_of_a_scenario_says_what_can_be_done_with_the_run_there() {
+    let folder = with_two_checkpoints();
+    let message = refused(folder.path(), ".");
+    assert!(message.contains("way out: to go on with the run there: parsim2d resume"), "{message}");
+    for name in ["parsim2d.ckpt", PREVIOUS] {
+        fs::remove_file(folder.path().join(name)).unwrap();
+    }
+    let message = refused(folder.path(), ".");
+    assert!(message.contains("last-run.toml --out-dir again"), "{message}");
+    let empty = tempfile::tempdir().unwrap();
+    assert!(refused(empty.path(), ".").contains("way out: the name of a file"));
+}
+
+#[test]
+fn a_run_whose_folder_is_taken_away_promises_nothing_that_is_gone() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = "-n 20 --seed 1 --time 100 --slowdown 1 --checkpoint-every 10ms --out-dir run";
+    let mut command = parsim2d(folder.path(), arguments);
+    let child = command.stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
+    let run = folder.path().join("run");
+    let begun = Instant::now();
+    while !run.join(PREVIOUS).exists() {
+        assert!(begun.elapsed() < Duration::from_secs(20), "no checkpoint comes");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    fs::rename(&run, folder.path().join("elsewhere")).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert!(message.contains("its folder is gone"), "{message}");
+    assert!(!message.contains("is kept") && !message.contains("parsim2d resume"), "{message}");
 }

@@ -86,9 +86,12 @@ impl Keeper {
         is_first.then(|| format!("{why}\n  the run goes on; {last}"))
     }
 
-    /// How to go on from the latest checkpoint, if there is one.
+    /// How to go on from the latest checkpoint, if there is one and nobody has taken it away.
     pub fn way_back(&self) -> Option<String> {
-        self.last.map(|step| format!("to go on from step {step}: {}", self.command()))
+        let is_there = self.folder.join(checkpoint::FILE).is_file();
+        self.last
+            .filter(|_| is_there)
+            .map(|step| format!("to go on from step {step}: {}", self.command()))
     }
 
     /// The command that goes on.

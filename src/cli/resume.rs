@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use self::refused::{folder_of, not_continued, unfit, unreadable};
+use self::refused::{folder_of, is_done, not_continued, unfit, unreadable};
 use super::Failure;
 use super::claim::Claim;
 use super::interrupt::Interrupt;
@@ -98,6 +98,9 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
         true => Claim::of_same_run(from)?,
         false => Claim::of_new_run(folder)?,
     };
+    if let Some(said) = is_done(&file).filter(|_| arguments.time.is_none()) {
+        return Ok(nothing_to_do(&said, arguments.quiet));
+    }
     let checkpoint = Checkpoint::read(&file).map_err(|why| unreadable(&file, &why))?;
     let Checkpoint { scenario: text, progress, mut arrays } = checkpoint;
     let progress = &progress;
@@ -169,6 +172,14 @@ fn simulation(
         ));
     }
     Ok(simulation)
+}
+
+/// The run has reached its end and left no checkpoint.
+fn nothing_to_do(said: &Refusal, is_quiet: bool) -> ExitCode {
+    if !is_quiet {
+        let _ = writeln!(io::stderr(), "note: nothing is left to do: {said}"); // a closed stderr is no failure
+    }
+    ExitCode::SUCCESS
 }
 
 /// The new end must not lie before the checkpoint.

@@ -133,12 +133,31 @@ fn say(scenario: &Scenario, what: &str) {
     }
 }
 
+/// What to do with a folder in place of a scenario.
+fn of_folder(folder: &Path) -> Refusal {
+    let names = |name: &str| {
+        let path = folder.join(name);
+        path.is_file().then(|| quoted(&shown(&path)))
+    };
+    let way_out = match (names(checkpoint::FILE), names(record::FILE)) {
+        (Some(checkpoint), _) => {
+            format!("to go on with the run there: parsim2d resume {checkpoint}")
+        }
+        (None, Some(record)) => {
+            format!("to repeat the run there: parsim2d {record} --out-dir again")
+        }
+        (None, None) => "the name of a file, as examples/settling.toml".to_owned(),
+    };
+    Refusal { why: format!("{} is a folder, not a scenario", shown(folder)), way_out }
+}
+
 /// Flags over file over preset; and whether a seed was drawn that matters.
 pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
         Some(path) if path.extension().is_none() && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
         }
+        Some(path) if path.is_dir() => return Err(Failure::Refused(of_folder(path))),
         Some(path) if checkpoint::is_one(path) => {
             let path = shown(path);
             return Err(Failure::Refused(Refusal {

@@ -12,6 +12,13 @@ use crate::output::checkpoint::container::Flaw;
 use crate::output::checkpoint::{self, Checkpoint, CheckpointError};
 use crate::output::record;
 
+/// What to say instead of `why` the checkpoint `file` cannot be read, if the run there has reached its end and
+/// left none: then there is nothing left to do.
+pub(super) fn is_done(file: &Path) -> Option<Refusal> {
+    let is_gone = !file.exists() && other(file).is_none();
+    end_of_run(folder_of(file)).filter(|(_, is_wrong)| is_gone && !is_wrong).map(|(said, _)| said)
+}
+
 /// The checkpoint `file` cannot be read.
 pub(super) fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
     if matches!(why, CheckpointError::Flawed { flaw: Flaw::OtherFormat(_), .. }) {
@@ -21,7 +28,7 @@ pub(super) fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
         });
     }
     match (file.exists(), other(file), end_of_run(folder_of(file))) {
-        (false, None, Some(done)) => Failure::Refused(done),
+        (false, None, Some((end, _))) => Failure::Refused(end),
         (false, None, None) => Failure::Refused(Refusal {
             why: why.to_string(),
             way_out: "name the checkpoint, parsim2d.ckpt, or the folder it lies in; it is written on Ctrl-C \
@@ -105,8 +112,9 @@ fn again(folder: &Path, is_whole: bool) -> String {
     }
 }
 
-/// What to say of a run in `folder` that has ended and left no checkpoint, by its record.
-fn end_of_run(folder: &Path) -> Option<Refusal> {
+/// What to say of a run in `folder` that has ended and left no checkpoint, by its record, and whether it went
+/// wrong.
+fn end_of_run(folder: &Path) -> Option<(Refusal, bool)> {
     if record::is_foreign(folder) {
         return None;
     }
@@ -137,7 +145,7 @@ fn end_of_run(folder: &Path) -> Option<Refusal> {
             2.0 * time.parse::<f64>().ok()?
         ),
     };
-    Some(Refusal { why, way_out })
+    Some((Refusal { why, way_out }, result("went_wrong").is_some()))
 }
 
 /// The folder of `file`.
