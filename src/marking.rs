@@ -57,22 +57,15 @@ impl Marker<'_> {
         Ok(graded)
     }
 
-    /// Where the files are: in the folder, or in the only folder in it, as some programs unpack.
+    /// Where the files are: in the folder, or in the only folder in it, or in the only one in that, as some
+    /// programs unpack.
     fn inner(&self, folder: &Path) -> PathBuf {
-        let has_some = |folder: &Path| {
+        const DEEPEST: usize = 5;
+        let has_some = |folder: &PathBuf| {
             self.course.program().files.iter().any(|file| folder.join(file).is_file())
         };
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        let is_real = |entry: &fs::DirEntry| {
-            let name = entry.file_name();
-            let is_hidden = name.to_string_lossy().starts_with('.') || name == "__MACOSX";
-            !is_hidden && entry.file_type().is_ok_and(|kind| kind.is_dir())
-        };
-        let folders: Vec<_> = entries.filter(is_real).map(|entry| entry.path()).collect();
-        match &folders[..] {
-            [only] if !has_some(folder) && has_some(only) => only.clone(),
-            _ => folder.to_owned(),
-        }
+        let inner = std::iter::successors(Some(folder.to_owned()), only_folder_in);
+        inner.take(DEEPEST).find(has_some).unwrap_or_else(|| folder.to_owned())
     }
 
     fn go_through(
@@ -213,6 +206,18 @@ impl Marker<'_> {
         }
         Ok(())
     }
+}
+
+/// The folder in `folder`, if there is just one besides hidden ones and a Mac's own.
+fn only_folder_in(folder: &PathBuf) -> Option<PathBuf> {
+    let is_real = |entry: &fs::DirEntry| {
+        let name = entry.file_name();
+        let is_hidden = name.to_string_lossy().starts_with('.') || name == "__MACOSX";
+        !is_hidden && entry.file_type().is_ok_and(|kind| kind.is_dir())
+    };
+    let mut folders = fs::read_dir(folder).into_iter().flatten().flatten().filter(is_real);
+    let only = folders.next()?.path();
+    folders.next().is_none().then_some(only)
 }
 
 /// Whether all that is asked for was handed in.

@@ -52,6 +52,23 @@ fn missing_files_have_their_label_and_an_archive_left_packed_is_named() {
 }
 
 #[test]
+fn files_are_found_however_many_single_folders_were_packed_around_them() {
+    if !can_grade() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    let handed_in = place.path().join("Ada");
+    let inner = handed_in.join("Assignment 3/parsim final");
+    hand_in(&handed_in.join("__MACOSX"), &[("Makefile", "")]);
+    hand_in(&handed_in.join("Assignment 3"), &[("report.pdf", "")]);
+    hand_in(&inner, &[("Makefile", "all:\n"), ("particle.h", "")]);
+    holds(&said_of(&handed_in, ""), &["| missing: particle.cpp, simulation.cpp\n"]);
+    // Of two it is not known which is meant.
+    hand_in(&handed_in.join("Assignment 3/old"), &[("Makefile", "")]);
+    holds(&said_of(&handed_in, ""), &["| missing: Makefile, particle.h, particle.cpp"]);
+}
+
+#[test]
 fn an_old_program_that_was_handed_in_is_told_from_one_that_was_built() {
     if !can_grade() {
         return;
@@ -143,7 +160,16 @@ fn what_is_refused_says_how_to_write_it_and_is_refused_before_anything_is_graded
     let folder = desk();
     fs::write(folder.path().join("one.toml"), "mass = 1e-3\nradius = 1e-4\n").unwrap();
     fs::write(folder.path().join("big.toml"), "radius = [1e-3, 2e-3]\n").unwrap();
+    fs::write(folder.path().join("words.toml"), "[program]\narguments = \"{n} {seed}\"\n").unwrap();
+    let told = "n = [20, 1000]\n[program]\nn = 10\narguments = ['{n}']\n";
+    fs::write(folder.path().join("told.toml"), told).unwrap();
     let cases = [
+        ("--rubric words.toml", 2, "way out: a list, arguments = [\"{n}\", \"{seed}\"]\n"),
+        (
+            "--rubric told.toml",
+            2,
+            "program.n = 10 is what programs are told, and n = [20, 1000] is",
+        ),
         ("--rubric one.toml", 2, "way out: a list, radius = [1e-4]\n"),
         ("--out nowhere/results.json", 2, "--out nowhere/results.json: there is no such folder"),
         ("--out class", 2, "--out class: there is no such folder, or it is one itself"),
@@ -161,7 +187,8 @@ fn what_is_refused_says_how_to_write_it_and_is_refused_before_anything_is_graded
         holds(&all, &[said]);
         assert_eq!(output.stdout.is_empty(), code == 2, "{arguments}: {all}");
     }
-    assert_eq!(files(folder.path()), ["big.toml", "class", "one.toml"]);
+    let left = ["big.toml", "class", "one.toml", "told.toml", "words.toml"];
+    assert_eq!(files(folder.path()), left);
 }
 
 #[test]

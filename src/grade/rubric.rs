@@ -161,7 +161,12 @@ fn not_read(why: &toml::de::Error, text: &str) -> String {
         let span = why.span()?;
         let (before, value) = (text.get(..span.start)?, text.get(span)?);
         let key = before.lines().last()?.trim_end_matches([' ', '=']).trim_start();
-        Some(format!("  way out: a list, {key} = [{value}]\n"))
+        let words = value.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+        let list = words.map_or(value.to_owned(), |words| {
+            let words = words.split_whitespace().map(|word| format!("{word:?}"));
+            words.collect::<Vec<_>>().join(", ")
+        });
+        Some(format!("  way out: a list, {key} = [{list}]\n"))
     });
     format!("{why}{}", way_out.flatten().unwrap_or_default())
 }
@@ -197,7 +202,17 @@ impl Rubric {
             .next()
             .or_else(|| self.part_refused())
             .or_else(|| self.program.refused())
+            .or_else(|| self.n_refused())
             .or_else(|| self.interface.as_ref().and_then(Interface::refused))
+    }
+
+    /// A number of discs that programs are told, and that would then be called wrong.
+    fn n_refused(&self) -> Option<String> {
+        let (n, asked) = (self.program.n, &self.n);
+        let is_told = self.program.tells_n() && !asked.is_empty();
+        (is_told && !asked.contains(&n)).then(|| {
+            format!("program.n = {n} is what programs are told, and n = {asked:?} is what is right\n  way out: n = [{n}]")
+        })
     }
 
     /// What lies between 0 and 1.

@@ -222,7 +222,7 @@ fn mistake(mistake: Mistake) -> MistakeWords {
         Mistake::ArchiveNotUnpacked => ("files that are still in an archive", "the files themselves belong in the folder: what is in an archive is not looked at"),
         Mistake::ProgramNotRebuilt => ("an old program that was handed in: the build left it as it was, and what the sources say was not run", "hand in sources only: make clean, and then look whether make builds it"),
         Mistake::WaitsForInput => ("a program that waits for something to be typed", "what does it read, and who gives it that when nobody sits at the keyboard?"),
-        Mistake::DoesNotBuild => ("a program that was changed after it was last built", "read the first error, not the last; build in a fresh copy of the folder"),
+        Mistake::DoesNotBuild => ("sources or a Makefile that this compiler and make do not take", "read the first error, not the last; build in a fresh copy of the folder"),
         Mistake::Crashes => ("an access outside of what was reserved, or an error that nobody catches", "run it in a debugger, or build it with -fsanitize=address: where does it stop?"),
         Mistake::EndsWithoutFrames => ("a loop over frames that is never entered, or another name of the file", "print the number of frames to be written before the loop begins"),
         Mistake::TooSlow => ("a loop that waits or never ends", "which loop has an end that may never come?"),
