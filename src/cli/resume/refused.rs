@@ -15,8 +15,10 @@ use crate::output::record;
 /// What to say instead of `why` the checkpoint `file` cannot be read, if the run there has reached its end and
 /// left none: then there is nothing left to do.
 pub(super) fn is_done(file: &Path) -> Option<Refusal> {
-    let is_gone = !file.exists() && other(file).is_none();
-    end_of_run(folder_of(file)).filter(|(_, is_wrong)| is_gone && !is_wrong).map(|(said, _)| said)
+    if file.exists() || other(file).is_some() {
+        return None;
+    }
+    end_of_run(folder_of(file)).filter(|(_, is_wrong)| !is_wrong).map(|(said, _)| said)
 }
 
 /// The checkpoint `file` cannot be read.
