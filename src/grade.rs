@@ -19,7 +19,9 @@ pub mod interface;
 pub mod long_run;
 pub mod many;
 pub mod mistake;
+pub mod momentum;
 pub mod near;
+pub mod passing;
 pub mod picture;
 pub mod replay;
 pub mod restitution;
@@ -27,10 +29,13 @@ pub mod rubric;
 pub mod running;
 pub mod stiffness;
 pub mod stuck;
+pub mod touching;
 pub mod verdict;
 pub mod words;
 
+use self::bounce::Bounce;
 use self::check::Check;
+use self::collision::Collision;
 use self::film::Film;
 use self::flight::Flights;
 use self::frames::{Footage, read};
@@ -39,8 +44,9 @@ use self::restitution::Restitutions;
 use self::rubric::Rubric;
 use self::stiffness::Stiffness;
 use self::stuck::Stuck;
+use self::touching::{Shift, Touching};
 use self::verdict::{Failure, Report, Status};
-use self::words::Note;
+use self::words::{Finding, Note, Quantity};
 
 /// Judges what a submission wrote (the bytes of a file of many frames).
 ///
@@ -69,18 +75,26 @@ const MOST_WORK: usize = 400_000_000;
 /// Fewer frames than these show no motion, whatever the rubric wants: a second difference takes three.
 const LEAST_FRAMES: usize = 3;
 
-/// The film, if there are as many frames as the rubric wants. Cut ones were written, and count.
-fn long_enough(film: Film, rubric: &Rubric) -> Result<Film, Failure> {
+/// The film, if there are as many frames as the rubric wants, and anything moves. Cut ones were written, and
+/// count.
+fn moving(film: Film, rubric: &Rubric) -> Result<Film, Failure> {
     let (frames, wanted) =
         (film.frames.len() + film.torn, rubric.program.frames_at_least.max(LEAST_FRAMES));
-    if frames < wanted { Err(Failure::too_few_frames(frames, wanted)) } else { Ok(film) }
+    if frames < wanted {
+        return Err(Failure::too_few_frames(frames, wanted));
+    }
+    if rubric.gravity > 0.0 && film.is_still() {
+        let failure = Failure::of(Finding::NothingMoves, Mistake::NothingMoves);
+        return Err(failure.with(Quantity::Frames, frames as f64));
+    }
+    Ok(film)
 }
 
 /// Adds the checks of frames, `frames` to `long_run`, to a report that has those before them.
 ///
 /// Gives the film, for pictures, if there is one.
 pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Option<Film> {
-    let film = match read(footage, rubric).and_then(|film| long_enough(film, rubric)) {
+    let film = match read(footage, rubric).and_then(|film| moving(film, rubric)) {
         Ok(film) => film,
         Err(failure) => {
             report.decide(Check::Frames, || Status::Failed(failure));
@@ -98,7 +112,7 @@ pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Optio
     let asked = if is_endless { &usual[..] } else { &rubric.n };
     report.decide(Check::Discs, || discs::kept(&film, asked));
     // What follows measures with true radii, whatever was printed.
-    let film = film.with_true_radii(rubric);
+    let film = film.before_it_ran_wild().with_true_radii(rubric);
     report.decide(Check::Radii, || discs::radii(&film, rubric));
     if report.passed(Check::Discs) {
         judge(report, &film, rubric);
@@ -113,34 +127,122 @@ pub fn add_many(report: &mut Report, footage: Footage, n: usize, rubric: &Rubric
     report.decide(Check::Many, || many::verdict(footage, n, rubric));
 }
 
+/// What is known of the springs of walls and pairs, and of the places of walls.
+struct Springs {
+    wall: Option<Stiffness>,
+    pair: Option<Stiffness>,
+    shift: Option<Shift>,
+}
+
+impl Springs {
+    /// By the times of contacts, and by swings where frames are dense enough.
+    fn of(
+        film: &Film,
+        (flights, bounces, collisions): (&Flights, &[Bounce], &[Collision]),
+        rubric: &Rubric,
+    ) -> Self {
+        let [wall, pair] = Stiffness::of(film, flights, rubric);
+        let (timed, shift) = match touching::wall(film, bounces, flights, rubric) {
+            Some(Touching::Spring(spring)) => (Some(spring), None),
+            Some(Touching::Shifted(shift)) => (None, Some(shift)),
+            None => (None, None),
+        };
+        let timed_pair = touching::pair(collisions, flights, rubric);
+        let first = |swings: Option<Stiffness>, timed| swings.filter(Stiffness::is_off).or(timed);
+        let wall = first(wall, timed).filter(|wall| shift.is_none() && wall.is_off());
+        Self { wall, pair: first(pair, timed_pair).filter(Stiffness::is_off), shift }
+    }
+
+    /// The mistake at walls.
+    fn cause_at_walls(&self, rubric: &Rubric) -> Option<Mistake> {
+        self.shift.as_ref().map(Shift::cause).or_else(|| Some(self.wall.as_ref()?.cause(rubric)))
+    }
+
+    /// What is amiss at walls, unless the box has told it.
+    fn of_walls(&self, is_told: bool, bounces: &[Bounce], rubric: &Rubric) -> Status {
+        match (&self.shift, &self.wall) {
+            (None, None) => bounce::verdict(bounces),
+            _ if is_told => Status::NotSeen,
+            (Some(shift), _) => Status::Failed(shift.failure()),
+            (_, Some(wall)) => Status::Failed(wall.failure(wall.cause(rubric))),
+        }
+    }
+
+    /// What is amiss with the springs of pairs. If walls are off as well it is one mistake, and told there.
+    fn of_pairs(&self, is_timed: bool, rubric: &Rubric) -> Option<Status> {
+        let pair = self.pair.as_ref().filter(|pair| pair.is_timed == is_timed)?;
+        Some(match self.wall {
+            Some(_) => Status::NotSeen,
+            None => Status::Failed(pair.failure(pair.cause_of_pair(rubric))),
+        })
+    }
+
+    /// What is amiss with pairs: where frames lie within contacts, that tells most; then whom a push moves,
+    /// how long it lasts, and whether all are pushed.
+    fn pairs(
+        &self,
+        film: &Film,
+        (flights, collisions): (&Flights, &[Collision]),
+        is_apart: bool,
+        rubric: &Rubric,
+    ) -> Status {
+        if let Some(failure) = momentum::run_off(film, flights) {
+            return Status::Failed(failure);
+        }
+        if let Some(status) = self.of_pairs(false, rubric) {
+            return status;
+        }
+        let status = collision::verdict(collisions);
+        if matches!(status, Status::Failed(_)) {
+            return status;
+        }
+        let passing = is_apart.then(|| passing::verdict(film, flights, collisions, rubric));
+        let failed = passing.filter(|passing| matches!(passing, Status::Failed(_)));
+        self.of_pairs(true, rubric).or(failed).unwrap_or(status)
+    }
+}
+
 /// The checks of motion, on discs that are all there in every frame.
 fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     let flights = Flights::of(film, rubric);
     report.uneven = flights.uneven;
-    let stiffness = Stiffness::of(film, &flights, rubric);
-    let soft_walls = stiffness[0].as_ref().filter(|walls| walls.is_soft());
-    report.decide(Check::Box, || discs::inside(film, &flights, 1.0, soft_walls, rubric));
-    report.decide(Check::Start, || discs::start(film, rubric));
-    report.decide(Check::FreeFlight, || flight::verdict(film, &flights, rubric));
-    let is_told = report.failed(Check::Box);
     let bounces = bounce::all(film, &flights, rubric);
     let collisions = collision::all(film, &flights);
-    let stuck = Stuck::of(film, &flights, rubric);
-    report.decide(Check::WallBounce, || match soft_walls {
-        Some(_) if is_told => Status::NotSeen,
-        Some(walls) => Status::Failed(walls.failure(Mistake::ForceOverWrongMass)),
-        None => bounce::verdict(&bounces),
+    let springs = Springs::of(film, (&flights, &bounces, &collisions), rubric);
+    let told = springs.cause_at_walls(rubric);
+    report.decide(Check::Box, || discs::inside(film, &flights, 1.0, told, rubric));
+    // Who has another box in mind fills it.
+    let is_told = report.failed_by(Check::Box, Mistake::WallElsewhere);
+    report.decide(Check::Start, || match discs::start(film, rubric) {
+        Status::Failed(why) if is_told && why.finding == Finding::StartsInWall => Status::NotSeen,
+        other => other,
     });
-    let is_told = soft_walls.is_some();
-    report.decide(Check::PairCollision, || match &stiffness[1] {
-        Some(pairs) if pairs.is_soft() && is_told => Status::NotSeen,
-        _ => collision::verdict(&collisions, &stiffness),
-    });
-    let seen = Restitutions::of(&bounces, &collisions, &stuck, &flights, rubric);
-    // A force over the wrong mass changes restitution as well: one mistake, one check.
-    let restitution = |is_wall| match soft_walls {
-        Some(_) => Status::NotSeen,
-        None => seen.verdict(is_wall, rubric),
+    report.decide(Check::FreeFlight, || flight::verdict(film, &flights, rubric));
+    let is_told = report.failed(Check::Box);
+    report.decide(Check::WallBounce, || springs.of_walls(is_told, &bounces, rubric));
+    let is_apart = !report.failed(Check::Start);
+    let meetings = (&flights, &collisions[..]);
+    report.decide(Check::PairCollision, || springs.pairs(film, meetings, is_apart, rubric));
+    judge_energy(report, film, (&flights, &bounces, &collisions), &springs, rubric);
+    report.forgive_walls_that_were_shot_through();
+    report.nothing_is_seen_out_of_the_box();
+}
+
+/// What contacts give back, the energy of all, and what becomes of it in long films.
+fn judge_energy(
+    report: &mut Report,
+    film: &Film,
+    (flights, bounces, collisions): (&Flights, &[Bounce], &[Collision]),
+    springs: &Springs,
+    rubric: &Rubric,
+) {
+    let stuck = Stuck::of(film, flights, rubric);
+    let seen = Restitutions::of(bounces, collisions, &stuck, flights, rubric);
+    // Another stiffness, or a wall elsewhere, changes restitution as well: one mistake, one check.
+    let is_told = springs.wall.is_some() || springs.shift.is_some();
+    let restitution = |is_wall: bool| match is_told || (!is_wall && springs.pair.is_some()) {
+        true => Status::NotSeen,
+        false => seen.verdict(is_wall, rubric),
     };
     report.decide(Check::RestitutionWall, || restitution(true));
     report.decide(Check::RestitutionPair, || restitution(false));
@@ -149,9 +251,8 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     let contacts = [Check::Start, Check::WallBounce, Check::PairCollision];
     let contacts = contacts.iter().chain(&[Check::RestitutionWall, Check::RestitutionPair]);
     let told = is_told || contacts.into_iter().any(|&check| report.failed(check));
-    report.decide(Check::Energy, || energy::verdict(film, &flights, rubric, &seen, told));
-    report.forgive_walls_that_were_shot_through();
+    report.decide(Check::Energy, || energy::verdict(film, flights, rubric, &seen, told));
     let told = report.failures().any(|(check, _)| check.is_of_frames());
-    let moves = (&flights, &collisions[..]);
+    let moves = (flights, collisions);
     report.decide(Check::LongRun, || long_run::verdict(film, moves, rubric, &seen, told));
 }

@@ -16,16 +16,29 @@ pub struct Bounce {
     pub wall: u8,
     /// Disc.
     pub disc: usize,
+    /// Frame before it.
+    pub begin: usize,
     /// Frame after it.
     pub frame: usize,
     /// Speed towards the wall where they touch.
     pub before: f64,
     /// Speed away from it where they part.
     pub after: f64,
+    /// How long they touch, frames.
+    pub touching: f64,
+    /// Gravity towards the wall, m a frame².
+    pub pull: f64,
     /// Change of the speed along the wall, gravity taken off.
     pub slip: f64,
     /// What printing makes of a speed at most.
     pub blur: f64,
+}
+
+impl Bounce {
+    /// Whether gravity alone brought the disc back: it met no wall.
+    fn fell_back(&self) -> bool {
+        self.pull < 0.0 && -self.pull * self.touching > 0.7 * (self.before + self.after)
+    }
 }
 
 /// All bounces on one wall with nobody else near, fast enough to be measured.
@@ -36,7 +49,7 @@ pub fn all(film: &Film, flights: &Flights, rubric: &Rubric) -> Vec<Bounce> {
     };
     (0..film.n())
         .flat_map(of_disc)
-        .filter(|one| one.before > slowest(one, flights, rubric))
+        .filter(|one| one.before > slowest(one, flights, rubric) && !one.fell_back())
         .collect()
 }
 
@@ -75,14 +88,22 @@ fn bounce(
     if squares[0] <= 0.0 || squares[1] < 0.0 {
         return None; // it turned before it touched
     }
+    let speeds = squares.map(f64::sqrt);
+    // From the last free frame to the touch, and from the parting to the next: a way over a mean speed.
+    let way = |k: usize| touch - (film.at(k, i) - centre).dot(normal);
+    let to_touch = 2.0 * way(first.end) / (before.dot(normal) + speeds[0]);
+    let from_parting = 2.0 * way(second.begin) / (speeds[1] - after.dot(normal));
     let frames = (second.begin - first.end) as f64;
     let slip = (after - before - flights.pull * frames).dot(along);
     Some(Bounce {
         wall: walls,
         disc: i,
+        begin: first.end,
         frame: second.begin,
-        before: squares[0].sqrt(),
-        after: squares[1].sqrt(),
+        before: speeds[0],
+        after: speeds[1],
+        touching: frames - to_touch - from_parting,
+        pull,
         slip: slip.abs(),
         blur: Flights::velocity_blur(film, first) + Flights::velocity_blur(film, second),
     })

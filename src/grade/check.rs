@@ -79,6 +79,11 @@ impl Check {
         )
     }
 
+    /// Whether it is about how discs move.
+    pub fn is_of_motion(self) -> bool {
+        self.is_of_frames() && self >= Self::FreeFlight
+    }
+
     /// Its name in files and on the command line.
     pub fn id(self) -> &'static str {
         match self {

@@ -10,7 +10,6 @@ use glam::DVec2;
 use super::film::Film;
 use super::flight::{Flights, Run};
 use super::mistake::Mistake;
-use super::stiffness::Stiffness;
 use super::verdict::{Failure, Status, Verdict};
 use super::words::{Finding, Quantity};
 
@@ -35,6 +34,8 @@ pub struct Collision {
     pub speed: f64,
     /// Distance at which they touch, m.
     pub touch: f64,
+    /// How long they touch, frames.
+    pub touching: f64,
     /// What printing makes of a velocity at most, over the relative speed before.
     pub blur: f64,
 }
@@ -46,7 +47,12 @@ impl Collision {
 
     /// Whether they pushed each other at all.
     pub fn is_push(&self) -> bool {
-        (self.kicks[0] - self.kicks[1]).length() > 0.03 + 4.0 * self.blur
+        self.size() > 0.03 + 4.0 * self.blur
+    }
+
+    /// Twice the larger kick: what equal and opposite ones make together.
+    fn size(&self) -> f64 {
+        2.0 * self.kicks[0].length().max(self.kicks[1].length())
     }
 }
 
@@ -111,7 +117,30 @@ fn meeting(
     let restitution = (along_after / (speed * speed - across)).sqrt();
     let twist = lost.abs();
     let (frame, blur) = (end, blur / speed);
-    Some(Collision { discs, frame, aim, kicks, twist, lost, restitution, speed, touch, blur })
+    let touching =
+        frames - to_touch(way, relative, touch) - to_touch(way_after, -relative_after, touch);
+    Some(Collision {
+        discs,
+        frame,
+        aim,
+        kicks,
+        twist,
+        lost,
+        restitution,
+        speed,
+        touch,
+        touching,
+        blur,
+    })
+}
+
+/// How long two discs fly until they touch, frames, from where one is seen from the other and how fast it
+/// comes nearer; if they would pass, until they are nearest.
+fn to_touch(way: DVec2, relative: DVec2, touch: f64) -> f64 {
+    let square = relative.length_squared();
+    let nearest = -way.dot(relative) / square;
+    let aside = way.perp_dot(relative).powi(2) / square;
+    nearest - ((touch * touch - aside).max(0.0) / square).sqrt()
 }
 
 /// What printing may make of a twist: a velocity is off, and acts at the distance of the frames.
@@ -119,23 +148,8 @@ fn most_twist(one: &Collision) -> f64 {
     0.2 + 40.0 * one.blur
 }
 
-/// Two discs push each other equally, oppositely, along the line of their centres, and as hard as asked.
-pub fn verdict(collisions: &[Collision], [wall, pair]: &[Option<Stiffness>; 2]) -> Verdict {
-    let is_wall_right = wall.as_ref().is_none_or(|wall| !wall.is_soft() && !wall.is_double());
-    match pair {
-        Some(pair) if pair.is_soft() => {
-            let cause = if pair.goes_with_distance && is_wall_right {
-                Mistake::NormalNotNormalised
-            } else {
-                Mistake::ForceOverWrongMass
-            };
-            return Status::Failed(pair.failure(cause));
-        }
-        Some(pair) if pair.is_double() && is_wall_right => {
-            return Status::Failed(pair.failure(Mistake::ForceAppliedTwice));
-        }
-        _ => {}
-    }
+/// Two discs push each other equally, oppositely, along the line of their centres.
+pub fn verdict(collisions: &[Collision]) -> Verdict {
     if collisions.len() < 2 {
         return Status::NotSeen;
     }
@@ -167,6 +181,14 @@ fn often<'a>(all: &[&'a Collision], is_bad: impl Fn(&Collision) -> bool) -> Opti
 
 fn unequal(pushes: &[&Collision]) -> Option<Failure> {
     let worst = often(pushes, |one| one.sum() > 0.1 + 4.0 * one.blur)?;
+    // Kicks the same way, of the same size.
+    let alike = |one: &Collision| one.sum() > 0.8 * one.size();
+    if let Some(one) = often(pushes, alike) {
+        let failure = Failure::of(Finding::PushedAlike, Mistake::ReactionSign);
+        let failure = failure.at(one.frame, &one.discs);
+        let [a, b] = one.kicks.map(DVec2::length);
+        return Some(failure.with(Quantity::KickFirst, a).with(Quantity::KickSecond, b));
+    }
     let lonely = |one: &Collision| {
         let [a, b] = one.kicks.map(DVec2::length);
         a.min(b) < 0.1 * a.max(b) + one.blur

@@ -7,7 +7,6 @@ use super::flight::Flights;
 use super::mistake::Mistake;
 use super::near::WALLS;
 use super::rubric::{Law, Rubric};
-use super::stiffness::Stiffness;
 use super::verdict::{Failure, Status, Verdict};
 use super::words::{Finding, Quantity};
 
@@ -57,7 +56,8 @@ fn exchanges(film: &Film) -> Vec<(usize, usize, usize)> {
                 let own = off(i, i).min(off(**j, **j));
                 // Discs that hit each other head-on exchange paths as well, but do not jump to get there.
                 let reach = 2.0 * (way(i, k - 1) + way(**j, k - 1));
-                let is_jump = way(i, k).min(way(**j, k)) > reach;
+                let is_calm = way(i, k - 1).max(way(**j, k - 1)) < 0.1 * film.side;
+                let is_jump = is_calm && way(i, k).min(way(**j, k)) > reach;
                 is_jump && off(i, **j).max(off(**j, i)) < 0.1 * own
             };
             found.extend(jumpers[at + 1..].iter().find(is_other).map(|&j| (k, i, j)));
@@ -105,12 +105,12 @@ fn beyond(position: DVec2, radius: f64, normal: DVec2, rubric: &Rubric) -> f64 {
 
 /// Nobody goes further into a wall than its speed allows.
 ///
-/// `soft`: what is known of walls that are far too soft. `slack`: how many times that depth is right.
+/// `told`: what the times of contacts say of the walls. `slack`: how many times that depth is right.
 pub fn inside(
     film: &Film,
     flights: &Flights,
     slack: f64,
-    soft: Option<&Stiffness>,
+    told: Option<Mistake>,
     rubric: &Rubric,
 ) -> Verdict {
     let mut deepest = (0.0, 0, 0, DVec2::ZERO);
@@ -136,11 +136,8 @@ pub fn inside(
     }
     let (radius, limit) = (film.radius(i), slack * sink(film, flights, i, rubric));
     let depth = over * limit;
-    let pull = flights.pull.length();
-    let cause = match soft {
-        Some(_) => Some(Mistake::ForceOverWrongMass),
-        None => outside_cause(film, (i, normal), depth, (limit, pull), rubric),
-    };
+    let pull = flights.pull;
+    let cause = told.or_else(|| outside_cause(film, (i, normal), depth, (limit, pull), rubric));
     let failure = Failure::of(Finding::LeavesTheBox, cause).at(k, &[i]);
     let failure = failure.with(Quantity::DepthOverRadius, depth / radius);
     Status::Failed(failure.with(Quantity::LargestDepthOverRadius, limit / radius))
@@ -168,28 +165,70 @@ fn sink(film: &Film, flights: &Flights, i: usize, rubric: &Rubric) -> f64 {
     if depth < film.radius(i) { depth } else { 2.0 * depth }
 }
 
+/// What drives a disc so deep into a wall, by its way beyond it.
 fn outside_cause(
     film: &Film,
     (i, normal): (usize, DVec2),
     depth: f64,
-    (limit, pull): (f64, f64),
+    (limit, pull): (f64, DVec2),
     rubric: &Rubric,
 ) -> Option<Mistake> {
-    let radius = film.radius(i);
-    if depth <= limit + 1.05 * radius {
+    if depth <= limit + 1.05 * film.radius(i) {
         return Some(Mistake::WallAtCentre);
     }
-    let outside: Vec<f64> = (0..film.frames.len())
-        .map(|k| beyond(film.at(k, i), 0.0, normal, rubric))
-        .skip_while(|&out| out < 0.0)
-        .collect();
+    // Somebody who came back tells more than who is still out.
+    let all = (0..film.n()).filter_map(|j| Trip::of(film, j, normal, rubric));
+    let mut all = all.filter(|trip| trip.way.iter().any(|out| *out > limit));
+    let own = Trip::of(film, i, normal, rubric)?;
+    let trip = all.find(|trip| trip.is_back).unwrap_or(own);
     // Second differences outward, beyond the wall, beside those of free flight: gravity pulls by g
     // T²; what a wall pulls with grows with the way.
-    let bends: Vec<f64> = outside.windows(3).map(|w| w[0] - 2.0 * w[1] + w[2]).collect();
+    let bends: Vec<f64> = trip.way.windows(3).map(|w| w[0] - 2.0 * w[1] + w[2]).collect();
     let blur = film.blur(film.at(film.frames.len() - 1, i));
+    let free = pull.dot(normal);
+    let is_straight = |bend: &&f64| (*bend - free).abs() < 0.1 * free.abs() + 8.0 * blur;
+    if trip.is_back {
+        // Gravity gives back as much speed as it took, a wall turns more.
+        let turn: f64 =
+            bends.iter().filter(|bend| !is_straight(bend)).map(|bend| free - bend).sum();
+        let speeds = trip.ends();
+        if free < -blur && turn < 0.5 * (speeds[0] + speeds[1]) {
+            return Some(Mistake::WallMissing);
+        }
+        let is_shot = 2 * bends.iter().filter(is_straight).count() > bends.len();
+        return Some(if is_shot { Mistake::WallElsewhere } else { Mistake::StiffnessWrong });
+    }
     let [Some(first), Some(last)] = [bends.first(), bends.last()] else { return None };
+    let pull = pull.length();
     let grows = last.is_nan() || *last > 4.0 * first.abs().max(2.0 * pull).max(8.0 * blur);
     Some(if grows { Mistake::InwardWallNormal } else { Mistake::WallMissing })
+}
+
+/// What a disc does beyond a wall, until it comes back.
+struct Trip {
+    /// How far its centre is out in each frame, m.
+    way: Vec<f64>,
+    is_back: bool,
+}
+
+impl Trip {
+    fn of(film: &Film, i: usize, normal: DVec2, rubric: &Rubric) -> Option<Self> {
+        let out = |k: usize| beyond(film.at(k, i), 0.0, normal, rubric);
+        let begin = (1..film.frames.len()).find(|&k| out(k) >= 0.0 && out(k - 1) < 0.0)?;
+        let is_in = |out: &f64| *out < 0.0;
+        let way = (begin..film.frames.len()).map(out).take_while(|out| !is_in(out));
+        let way: Vec<f64> = way.collect();
+        let is_back = begin + way.len() < film.frames.len();
+        Some(Self { way, is_back })
+    }
+
+    /// Speeds outward at the beginning and inward at the end, m a frame.
+    fn ends(&self) -> [f64; 2] {
+        let speed = |pair: &[f64]| (pair[1] - pair[0]).abs();
+        let mut pairs = self.way.windows(2);
+        let first = pairs.next().map_or(0.0, speed);
+        [first, pairs.last().map_or(first, speed)]
+    }
 }
 
 /// Nobody overlaps anybody, or a wall, in the first frame.

@@ -36,6 +36,9 @@ pub fn verdict(
     if let Some((_, cause)) = maker {
         return failed(Finding::EnergyGrows, cause);
     }
+    if film.is_wild && !told {
+        return failed(Finding::EnergyGrows, Mistake::EnergyPump);
+    }
     let Some(change) = change else { return Status::NotSeen };
     if change.abs() > rubric.energy_tolerance && told {
         return Status::NotSeen; // it comes from what was judged already

@@ -14,6 +14,9 @@ pub struct Spot {
     pub radius: f64,
 }
 
+/// Frames in which a film that is fine enough shows discs that are not fast yet.
+const EARLY: usize = 10;
+
 /// Frames as written, without torn ones and without a constant border.
 #[derive(Clone, Debug)]
 pub struct Film {
@@ -25,6 +28,8 @@ pub struct Film {
     pub digits: Digits,
     /// Frames that were cut and left out.
     pub torn: usize,
+    /// Whether it was cut where discs began to run wild.
+    pub is_wild: bool,
     /// Whether the printed radii were diameters, and have been halved.
     pub halved: bool,
     /// Side of the box, m.
@@ -58,6 +63,11 @@ impl Film {
         self.frames[0][i].radius
     }
 
+    /// Whether nobody moves at all, in a film long enough to tell.
+    pub fn is_still(&self) -> bool {
+        self.frames.len() >= 10 && self.frames.iter().all(|frame| frame == &self.frames[0])
+    }
+
     /// What a printed position may be off, m: half a unit of the last place, and no less than what
     /// sums in single precision lose (6e-8 of a third of the side).
     pub fn blur(&self, position: DVec2) -> f64 {
@@ -83,6 +93,31 @@ impl Film {
         if before.is_some_and(|frame| frame.iter().any(is_far)) {
             self.frames.truncate(k);
             self.follows.truncate(k);
+        }
+        self
+    }
+
+    /// The film up to where a disc goes half through the box in a frame: what made it so fast is seen before,
+    /// and after it nobody's way can be followed.
+    pub fn before_it_ran_wild(mut self) -> Self {
+        let is_in = |k: usize, i: usize| {
+            let place = self.at(k, i) - self.corner;
+            place.min_element() >= 0.0 && place.max_element() <= self.side
+        };
+        let is_whole = |k: usize| self.frames[k].len() == self.n() && self.follows[k];
+        // Whether somebody within the box went farther than this part of it.
+        let goes = |k: usize, part: f64| {
+            let way = |i: usize| (self.at(k, i) - self.at(k - 1, i)).length();
+            let goes = |i: usize| is_in(k, i) && is_in(k - 1, i) && way(i) > part * self.side;
+            is_whole(k) && is_whole(k - 1) && (0..self.n()).any(goes)
+        };
+        let frames = self.frames.len();
+        let was_calm = !(1..frames.min(EARLY)).any(|k| goes(k, 0.1));
+        let first = (1..frames).find(|&k| goes(k, 0.5)).filter(|_| was_calm);
+        if let Some(k) = first {
+            self.frames.truncate(k);
+            self.follows.truncate(k);
+            self.is_wild = true;
         }
         self
     }

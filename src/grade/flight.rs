@@ -4,6 +4,8 @@
 //! constant vector (0, -c) with c = g T², T the time between frames. That is exact for explicit
 //! and symplectic Euler and for Verlet, and needs no column of time.
 
+mod odd;
+
 use glam::DVec2;
 
 use super::film::Film;
@@ -205,8 +207,8 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
 
 /// Whether discs that meet nobody fall, straight and evenly.
 pub fn verdict(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
-    if rubric.gravity > 0.0 && is_still(film) {
-        return Status::Failed(nothing_moves(film, rubric));
+    if let Some(failure) = odd::grows(film) {
+        return Status::Failed(failure);
     }
     let samples = &flights.samples;
     if samples.len() < 3 {
@@ -215,7 +217,8 @@ pub fn verdict(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
     let off = samples.iter().filter(|sample| flights.off(sample) > 1.0).count();
     // One in ten: something may have been met between frames all the same.
     if 10 * off > samples.len() {
-        return Status::Failed(not_constant(flights, off));
+        let stops = odd::stops(film, flights);
+        return Status::Failed(stops.unwrap_or_else(|| odd::not_constant(flights, off)));
     }
     let (pull, blur) = (flights.pull, flights.pull_blur);
     let may = blur + 0.02 * pull.length();
@@ -244,86 +247,4 @@ pub fn verdict(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
 fn has_moved(film: &Film) -> bool {
     let last = film.frames.len() - 1;
     (0..film.n()).any(|i| (film.at(last, i) - film.at(0, i)).length() > 0.1 * film.side)
-}
-
-/// Whether nobody moves at all, in a film long enough to tell.
-fn is_still(film: &Film) -> bool {
-    film.frames.len() >= 10 && film.frames.iter().all(|frame| frame == &film.frames[0])
-}
-
-/// All frames are the same. Somebody hangs in the air, or all lie on something: then that may be right, but
-/// such a film shows no motion.
-fn nothing_moves(film: &Film, rubric: &Rubric) -> Failure {
-    let hanging = hanging(film, rubric);
-    let cause = hanging.map(|_| Mistake::GravityMissing);
-    let frames = film.frames.len();
-    let failure = Failure::of(Finding::NothingMoves, cause).with(Quantity::Frames, frames as f64);
-    let discs: Vec<usize> = hanging.into_iter().collect();
-    failure.at(frames - 1, &discs)
-}
-
-/// A disc that touches nothing it could lie on. In a crowd nobody may be free, and still most hang.
-fn hanging(film: &Film, rubric: &Rubric) -> Option<usize> {
-    let reach = |i: usize| 0.1 * film.radius(i) + 8.0 * film.usual_blur();
-    let lies = |i: usize| {
-        let (place, radius) = (film.at(0, i), film.radius(i));
-        let on = |j: usize| {
-            let way = place - film.at(0, j);
-            let gap = way.length() - radius - film.radius(j);
-            j != i && gap < reach(i) && way.y > -reach(i)
-        };
-        place.y - rubric.corner[1] - radius < reach(i) || (0..film.n()).any(on)
-    };
-    (0..film.n()).find(|&i| !lies(i))
-}
-
-/// The second difference changes from place to place.
-fn not_constant(flights: &Flights, off: usize) -> Failure {
-    let samples = &flights.samples;
-    let worst = samples.iter().max_by(|a, b| flights.off(a).total_cmp(&flights.off(b)));
-    let worst = worst.unwrap_or(&samples[0]);
-    let (slope, left) = drag(samples);
-    let cause = if left < 0.2 && slope < 0.0 {
-        Some(Mistake::FrictionInFlight)
-    } else if comes_together(flights) {
-        Some(Mistake::TimeStepNotConstant)
-    } else {
-        None
-    };
-    Failure::of(Finding::PullNotConstant, cause)
-        .at(worst.middle, &[worst.disc])
-        .with(Quantity::PullX, worst.value.x)
-        .with(Quantity::PullY, worst.value.y)
-        .with(Quantity::UsualPullX, flights.pull.x)
-        .with(Quantity::UsualPullY, flights.pull.y)
-        .with(Quantity::Share, off as f64 / samples.len() as f64)
-}
-
-/// The line `value = constant + slope velocity` through the samples, and the part of their spread that it
-/// leaves.
-fn drag(samples: &[Sample]) -> (f64, f64) {
-    let n = samples.len() as f64;
-    let value = samples.iter().map(|s| s.value).sum::<DVec2>() / n;
-    let velocity = samples.iter().map(|s| s.velocity).sum::<DVec2>() / n;
-    let (mut vv, mut va, mut aa) = (0.0, 0.0, 0.0);
-    for sample in samples {
-        let (dv, da) = (sample.velocity - velocity, sample.value - value);
-        vv += dv.length_squared();
-        va += dv.dot(da);
-        aa += da.length_squared();
-    }
-    if vv == 0.0 || aa == 0.0 { (0.0, 1.0) } else { (va / vv, 1.0 - va * va / (vv * aa)) }
-}
-
-/// Whether at each frame nearly all discs are off, or nearly none.
-fn comes_together(flights: &Flights) -> bool {
-    let last = flights.samples.iter().map(|s| s.middle).max().unwrap_or(0);
-    let (mut off, mut all) = (vec![0usize; last + 1], vec![0usize; last + 1]);
-    for sample in &flights.samples {
-        all[sample.middle] += 1;
-        off[sample.middle] += usize::from(flights.off(sample) > 1.0);
-    }
-    let frames: Vec<usize> = (0..=last).filter(|&k| all[k] >= 3).collect();
-    let agree = frames.iter().filter(|&&k| 10 * off[k] >= 8 * all[k] || 10 * off[k] <= 2 * all[k]);
-    frames.len() >= 5 && 10 * agree.count() >= 7 * frames.len()
 }

@@ -76,7 +76,8 @@ pub fn read(footage: Footage, rubric: &Rubric) -> Result<Film, Failure> {
     }
     let digits = tally.digits();
     let (side, corner) = (rubric.side, DVec2::from(rubric.corner));
-    let mut film = Film { frames, follows, digits, torn, halved: false, side, corner };
+    let mut film =
+        Film { frames, follows, digits, torn, is_wild: false, halved: false, side, corner };
     drop_border(&mut film, rubric);
     Ok(film)
 }

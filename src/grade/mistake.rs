@@ -36,6 +36,8 @@ pub enum Mistake {
     FrameTorn,
     /// NaN or infinity.
     NotANumber,
+    /// No disc ever moves.
+    NothingMoves,
     /// A disc is gone.
     DiscLost,
     /// Rows change places.
@@ -52,6 +54,8 @@ pub enum Mistake {
     InwardWallNormal,
     /// The wall is met by the centre.
     WallAtCentre,
+    /// A wall stands at another place.
+    WallElsewhere,
     /// Discs fall upward.
     GravitySign,
     /// Nothing falls.
@@ -62,20 +66,30 @@ pub enum Mistake {
     FrictionInFlight,
     /// Frames are not equally far apart in time.
     TimeStepNotConstant,
+    /// Forces of the step before are added to.
+    ForcesNotReset,
     /// A contact force over another mass than the disc's, or over none.
     ForceOverWrongMass,
+    /// Another stiffness, mass or gravity than asked.
+    StiffnessWrong,
     /// The push of a pair hangs on the distance of the centres twice.
     NormalNotNormalised,
     /// Each pair pushes twice.
     ForceAppliedTwice,
     /// One disc is pushed, its partner is not.
     ForceOnOneDiscOnly,
+    /// Both discs are pushed the same way.
+    ReactionSign,
     /// Discs push only when nearer than one radius.
     ContactAtOneRadius,
     /// Discs pass through one another.
     Tunnelling,
+    /// Some pairs of discs are never looked at.
+    PairsLeftOut,
     /// Position updated with the old velocity.
     ExplicitEuler,
+    /// A wall takes all speed.
+    SticksToWall,
     /// The dashpot pushes where it should brake.
     DampingSign,
     /// Energy grows, elsewhere than in bounces.
@@ -86,6 +100,8 @@ pub enum Mistake {
     SpeedsSet,
     /// Elastic discs lose energy.
     EnergyLostElastic,
+    /// Contacts have no dashpot.
+    DashpotMissing,
     /// Another restitution than asked.
     RestitutionWrong,
     /// The header does not declare what the assignment asks for.
@@ -96,7 +112,7 @@ pub enum Mistake {
 
 impl Mistake {
     /// All of them, in the order in which submissions come to them.
-    pub const ALL: [Self; 43] = [
+    pub const ALL: [Self; 51] = [
         Self::ArchiveNotUnpacked,
         Self::NoMakefile,
         Self::DoesNotBuild,
@@ -112,6 +128,7 @@ impl Mistake {
         Self::WrongColumns,
         Self::FrameTorn,
         Self::NotANumber,
+        Self::NothingMoves,
         Self::DiscLost,
         Self::DiscOrderChanges,
         Self::DiameterAsRadius,
@@ -120,23 +137,30 @@ impl Mistake {
         Self::WallMissing,
         Self::InwardWallNormal,
         Self::WallAtCentre,
+        Self::WallElsewhere,
         Self::GravitySign,
         Self::GravityMissing,
         Self::GravitySideways,
         Self::FrictionInFlight,
         Self::TimeStepNotConstant,
+        Self::ForcesNotReset,
         Self::ForceOverWrongMass,
+        Self::StiffnessWrong,
         Self::NormalNotNormalised,
         Self::ForceAppliedTwice,
         Self::ForceOnOneDiscOnly,
+        Self::ReactionSign,
         Self::ContactAtOneRadius,
         Self::Tunnelling,
+        Self::PairsLeftOut,
         Self::ExplicitEuler,
+        Self::SticksToWall,
         Self::DampingSign,
         Self::EnergyPump,
         Self::StoppedInTheAir,
         Self::SpeedsSet,
         Self::EnergyLostElastic,
+        Self::DashpotMissing,
         Self::RestitutionWrong,
         Self::InterfaceMissing,
         Self::InterfaceWrong,

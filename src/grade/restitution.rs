@@ -91,6 +91,8 @@ pub struct Restitutions {
     pub pair: Option<Seen>,
     /// How late forces act in pairs that make energy (see [`delay`]).
     delay: Option<f64>,
+    /// Whether discs leave some wall again.
+    is_left: bool,
     law: Law,
 }
 
@@ -107,13 +109,16 @@ impl Restitutions {
             [walls(bounces, stuck, rubric), pairs(collisions, stuck, flights, rubric)];
         let makes = pair.as_ref().filter(|pair| pair.makes_energy());
         let delay = makes.and_then(|pair| delay(collisions, pair.e, flights, rubric));
-        Self { wall, pair, delay, law: rubric.law }
+        let left = bounces.iter().filter(|one| one.after > 4.0 * STUCK * one.before).count();
+        let is_left = 5 * left > stuck.walls.len();
+        Self { wall, pair, delay, is_left, law: rubric.law }
     }
 
     /// Whether discs that touch stay together: a damping far above critical.
     pub fn are_stuck(&self) -> bool {
         let mut seen = [&self.wall, &self.pair].into_iter().flatten().peekable();
-        seen.peek().is_some() && seen.all(|one| one.e < STUCK && one.expected.0 > STUCK)
+        let is_stuck = |one: &Seen| one.e < STUCK && one.expected.0 > STUCK;
+        !self.is_left && seen.peek().is_some() && seen.all(is_stuck)
     }
 
     /// Whether that is to be forgiven, as the guide prints such an eta.
@@ -212,8 +217,16 @@ impl Restitutions {
 
     /// Of contacts that make no energy.
     fn cause(&self, seen: &Seen, check: Check, rubric: &Rubric) -> Mistake {
+        // Everywhere, it is a damping far above critical.
+        let is_elsewhere = self.is_left || self.pair.as_ref().is_some_and(|pair| pair.e > STUCK);
+        if check == Check::RestitutionWall && seen.e < STUCK && is_elsewhere {
+            return Mistake::SticksToWall;
+        }
         if rubric.is_elastic() && seen.off() < 0.0 && seen.e > STUCK {
             return Mistake::EnergyLostElastic;
+        }
+        if (seen.e - 1.0).abs() < ELASTIC {
+            return Mistake::DashpotMissing;
         }
         // Twice the spring and twice the dashpot: zeta grows by the root of 2, and so does ln e.
         let twice = seen.expected.0.powf(SQRT_2);
@@ -241,10 +254,16 @@ fn walls(bounces: &[Bounce], stuck: &Stuck, rubric: &Rubric) -> Option<Seen> {
         let chosen = bounces.iter().filter(|one| wall.is_none_or(|wall| one.wall == wall));
         let mut all: Vec<_> =
             chosen.map(|one| (one.after / one.before, (one.frame, vec![one.disc]))).collect();
-        if wall.is_none() {
-            all.extend(stuck.walls.iter().map(|place| (0.0, place.clone())));
-        }
-        let is_enough = wall.is_none() || all.len() >= 3;
+        // Who stays for long and leaves all the same has been counted.
+        let leaves = |(k, discs): &(usize, Vec<usize>)| {
+            bounces.iter().any(|one| one.disc == discs[0] && one.begin < *k && *k <= one.frame)
+        };
+        let is_here = |bit: u8| wall.is_none_or(|wall| wall == bit);
+        let stuck = stuck.walls.iter().filter(|(bit, place)| is_here(*bit) && !leaves(place));
+        all.extend(stuck.map(|(_, place)| (0.0, place.clone())));
+        // Nobody left it: two tell that.
+        let is_dead = all.iter().all(|(e, _)| *e < STUCK);
+        let is_enough = wall.is_none() || is_dead || all.len() >= 3;
         if is_enough { Seen::of(all, true, rubric) } else { None }
     };
     let each = [1, 2, 4, 8].into_iter().filter_map(|wall| of(Some(wall)));
@@ -278,7 +297,8 @@ mod tests {
         let of = |e: Option<f64>, is_wall| {
             e.and_then(|e| Seen::of(vec![(e, (1, vec![0])); 3], is_wall, rubric))
         };
-        Restitutions { wall: of(wall, true), pair: of(pair, false), delay: None, law: rubric.law }
+        let (wall, pair) = (of(wall, true), of(pair, false));
+        Restitutions { wall, pair, delay: None, is_left: true, law: rubric.law }
     }
 
     #[test]
@@ -322,7 +342,9 @@ mod tests {
         let of = |wall, pair| seen(Some(wall), Some(pair), &rubric);
         assert_eq!(cause(of(0.8, twice), false, &rubric), Some(Mistake::ForceAppliedTwice));
         assert_eq!(cause(of(twice, twice), false, &rubric), Some(Mistake::RestitutionWrong));
-        assert_eq!(cause(of(1.0, 0.8), true, &rubric), Some(Mistake::RestitutionWrong));
+        assert_eq!(cause(of(0.9, 0.8), true, &rubric), Some(Mistake::RestitutionWrong));
+        assert_eq!(cause(of(1.0, 0.8), true, &rubric), Some(Mistake::DashpotMissing));
+        assert_eq!(cause(of(0.0, 0.8), true, &rubric), Some(Mistake::SticksToWall));
         assert_eq!(cause(of(0.8, 0.8), true, &rubric), None);
         let lossy = seen(Some(0.9), None, &elastic);
         assert_eq!(cause(lossy, true, &elastic), Some(Mistake::EnergyLostElastic));

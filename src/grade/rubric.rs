@@ -30,7 +30,8 @@ impl Skipped {
     /// Whether the points of a check that hangs on the failed `root` are lost.
     pub fn is_lost(self, root: Check) -> bool {
         match self {
-            Self::LostWithoutFrames => root <= Check::Frames,
+            // Nothing hangs on the box but what nobody could see.
+            Self::LostWithoutFrames => root <= Check::Frames || root == Check::Box,
             Self::LeftOut => false,
             Self::Lost => true,
         }
@@ -104,6 +105,8 @@ pub struct Rubric {
     pub printed_eta: PrintedEta,
     /// How far the median of measured restitutions may be off.
     pub restitution_tolerance: f64,
+    /// By what factor the stiffness over mass and gravity may be off.
+    pub stiffness_factor: f64,
     /// By what part of itself the energy may change.
     pub energy_tolerance: f64,
     /// What a skipped check does to the points.
@@ -139,7 +142,8 @@ impl Default for Rubric {
             restitution_wall: None,
             restitution_pair: None,
             printed_eta: PrintedEta::Forgiven,
-            restitution_tolerance: 0.035,
+            restitution_tolerance: 0.045,
+            stiffness_factor: 1.5,
             energy_tolerance: 0.08,
             skipped: Skipped::LostWithoutFrames,
             points: BTreeMap::new(),
@@ -195,9 +199,12 @@ impl Rubric {
         let points = self.points.iter().map(|(check, &points)| (check.id(), points));
         let rest = not_negative.into_iter().chain(points);
         let rest = rest.map(|(k, v)| bad(v.is_finite() && v >= 0.0, k, v, "0 or more"));
+        let factor = self.stiffness_factor;
+        let factor = bad(factor > 1.0, "stiffness_factor", factor, "above 1; inf: not asked");
         let corner = self.corner.map(|v| bad(v.is_finite(), "corner", v, "two finite numbers"));
         more.chain(rest)
             .chain(corner)
+            .chain([factor])
             .flatten()
             .next()
             .or_else(|| self.part_refused())

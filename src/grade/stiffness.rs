@@ -22,7 +22,10 @@ pub struct Stiffness {
     pub ratio: f64,
     /// Whether it goes with the distance of the centres.
     pub goes_with_distance: bool,
-    samples: usize,
+    /// Whether the times of contacts tell it, and not swings seen in frames.
+    pub is_timed: bool,
+    /// Below it contacts are called soft, above it stiff.
+    bounds: [f64; 2],
     place: (usize, Vec<usize>),
 }
 
@@ -80,18 +83,48 @@ impl Stiffness {
         let goes_with_distance =
             spread(|one| one.ratio / one.distance) < 0.5 * spread(|one| one.ratio);
         let place = (shown.frame, shown.discs.clone());
-        Some(Self { ratio, goes_with_distance, samples: samples.len(), place })
+        // Five times softer: the literal distance to a wall, or a dashpot, makes less of a difference.
+        let stiff = if samples.len() >= 10 { 1.7 } else { f64::INFINITY };
+        Some(Self { ratio, goes_with_distance, is_timed: false, bounds: [0.2, stiff], place })
     }
 
-    /// Whether contacts are five times softer than asked: the literal distance to a wall, or a dashpot,
-    /// makes less of a difference.
+    /// Measured by the times of contacts, and right within a `factor`.
+    pub fn timed(ratio: f64, place: (usize, Vec<usize>), factor: f64) -> Self {
+        let bounds = [1.0 / factor, factor];
+        Self { ratio, goes_with_distance: false, is_timed: true, bounds, place }
+    }
+
+    /// Whether contacts are softer than asked.
     pub fn is_soft(&self) -> bool {
-        self.ratio < 0.2
+        self.ratio < self.bounds[0]
     }
 
-    /// Whether contacts are twice as stiff as asked, seen finely enough to tell.
-    pub fn is_double(&self) -> bool {
-        self.samples >= 10 && (1.7..2.3).contains(&self.ratio)
+    /// Whether contacts are stiffer than asked.
+    pub fn is_stiff(&self) -> bool {
+        self.ratio > self.bounds[1]
+    }
+
+    /// Whether contacts are not as stiff as asked.
+    pub fn is_off(&self) -> bool {
+        self.is_soft() || self.is_stiff()
+    }
+
+    /// What another stiffness looks like. A mass that is left out, or put in, is a factor of just its number.
+    pub fn cause(&self, rubric: &Rubric) -> Mistake {
+        let is_mass = (self.ratio.ln().abs() - rubric.mass.ln().abs()).abs() < 2.0_f64.ln();
+        let is_far = !(0.1..10.0).contains(&self.ratio);
+        if is_mass && is_far { Mistake::ForceOverWrongMass } else { Mistake::StiffnessWrong }
+    }
+
+    /// What another stiffness of pairs looks like, where walls are as asked.
+    pub fn cause_of_pair(&self, rubric: &Rubric) -> Mistake {
+        if self.goes_with_distance {
+            Mistake::NormalNotNormalised
+        } else if (1.7..2.3).contains(&self.ratio) {
+            Mistake::ForceAppliedTwice
+        } else {
+            self.cause(rubric)
+        }
     }
 
     /// The failure of contacts that are too soft, or too stiff.

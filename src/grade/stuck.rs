@@ -1,10 +1,11 @@
 //! Discs that touch and do not part: what a damping far above critical does.
 //!
 //! Such a contact has no flight after it, so it is no bounce and no meeting. It is told by what follows
-//! the flight before: six frames at the same wall or partner with nobody else near, in which the
+//! the flight before: some frames at the same wall or partner with nobody else near, in which the
 //! distance hardly changes. On a floor discs come to rest anyway: there only those count that
-//! should have risen for longer than that.
+//! should still rise after that.
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::film::Film;
@@ -12,14 +13,14 @@ use super::flight::{Flights, Run};
 use super::near::{Near, WALLS};
 use super::rubric::Rubric;
 
-/// Frames in which they stay together, after two in which the contact comes about.
-const STAYS: usize = 4;
+/// Frames in which they stay together, after those in which the contact comes about.
+const STAYS: usize = 2;
 
 /// Places, a frame and its discs, where discs stayed together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stuck {
-    /// At walls.
-    pub walls: Vec<(usize, Vec<usize>)>,
+    /// At walls, each with the bit of its wall.
+    pub walls: Vec<(u8, (usize, Vec<usize>))>,
     /// Two discs.
     pub pairs: Vec<(usize, Vec<usize>)>,
 }
@@ -28,14 +29,17 @@ impl Stuck {
     /// Finds them.
     pub fn of(film: &Film, flights: &Flights, rubric: &Rubric) -> Self {
         let mut stuck = Self::default();
+        // A right contact would be over, and half as long again.
+        let lasts = flights.interval(rubric).map_or(0.0, |t| 1.5 * PI / (rubric.omega0(false) * t));
+        let (before, most) = (2 + lasts.ceil() as usize, film.frames.len());
         for i in 0..film.n() {
             for &run in &flights.runs[i] {
-                let gap = run.end..run.end + STAYS + 2;
+                let gap = run.end..run.end + (STAYS + before).min(most);
                 if gap.end > flights.near.len() || run.end - run.begin < 2 {
                     continue;
                 }
-                if stays_at_wall(film, flights, i, run, gap.clone(), rubric) {
-                    stuck.walls.push((gap.end, vec![i]));
+                if let Some(wall) = stays_at_wall(film, flights, i, run, gap.clone(), rubric) {
+                    stuck.walls.push((wall, (gap.end, vec![i])));
                 } else if let Some(j) = stays_with(film, flights, i, run, gap.clone()) {
                     stuck.pairs.push((gap.end, vec![i, j]));
                 }
@@ -59,21 +63,21 @@ fn stays_at_wall(
     run: Run,
     gap: Range<usize>,
     rubric: &Rubric,
-) -> bool {
+) -> Option<u8> {
     let near = flights.near[gap.start][i];
     let is_same = flights.near[gap.clone()].iter().all(|row| row[i] == near);
     let wall = WALLS.into_iter().find(|(_, bit)| *bit == near.walls);
-    let Some((normal, _)) = wall.filter(|_| is_same && near.partner.is_none()) else {
-        return false;
-    };
+    let (normal, bit) = wall.filter(|_| is_same && near.partner.is_none())?;
     let speed = flights.velocity(film, i, run, run.end).dot(normal);
     let middle = film.corner + 0.5 * rubric.side;
     let distance =
         |k: usize| 0.5 * rubric.side - film.radius(i) - (film.at(k, i) - middle).dot(normal);
     let is_reached = distance(run.end) < 2.0 * speed;
     let rises = rubric.expected_restitution(true).0 * speed;
-    let is_high = rises > 2.0 * gap.len() as f64 * flights.pull.dot(normal);
-    is_reached && is_high && stays(distance, speed, Flights::velocity_blur(film, run), &gap)
+    // It would still rise at the end.
+    let is_high = rises > 1.3 * gap.len() as f64 * flights.pull.dot(normal);
+    let blur = Flights::velocity_blur(film, run);
+    (is_reached && is_high && stays(distance, speed, blur, &gap)).then_some(bit)
 }
 
 fn stays_with(

@@ -155,14 +155,44 @@ impl Report {
         }
     }
 
+    /// Discs that leave the box before anything is seen of how they move have shown nothing of it: its points are
+    /// lost with the box.
+    pub fn nothing_is_seen_out_of_the_box(&mut self) {
+        let is_unseen = self.status(Check::FreeFlight) == Some(&Status::NotSeen);
+        if !is_unseen || !self.failed(Check::Box) {
+            return;
+        }
+        for (_, status) in self.checks.iter_mut().filter(|(check, _)| check.is_of_motion()) {
+            if *status == Status::NotSeen {
+                *status = Status::Skipped(Check::Box);
+            }
+        }
+    }
+
     /// Discs whose energy grew without bound pass any wall in the end: that is one mistake, not two.
     pub fn forgive_walls_that_were_shot_through(&mut self) {
-        let makers = [Mistake::ExplicitEuler, Mistake::DampingSign, Mistake::EnergyPump];
+        let makers = [
+            Mistake::ExplicitEuler,
+            Mistake::DampingSign,
+            Mistake::EnergyPump,
+            Mistake::ForcesNotReset,
+            Mistake::ReactionSign,
+        ];
         let is_made =
             self.failures().any(|(_, why)| why.cause.is_some_and(|m| makers.contains(&m)));
-        let walls = self.checks.iter_mut().find(|(check, _)| *check == Check::Box);
-        if let (true, Some((_, status @ Status::Failed(_)))) = (is_made, walls) {
-            *status = Status::NotSeen;
+        // Who pairs run off with, or adds up forces, does not bounce as it should either.
+        let is_wild = [Mistake::ForcesNotReset, Mistake::ReactionSign];
+        let is_wild =
+            self.failures().any(|(_, why)| why.cause.is_some_and(|m| is_wild.contains(&m)));
+        for (check, status) in &mut self.checks {
+            let is_forgiven = match check {
+                Check::Box => is_made,
+                Check::WallBounce | Check::RestitutionWall => is_wild,
+                _ => false,
+            };
+            if is_forgiven && matches!(status, Status::Failed(_)) {
+                *status = Status::NotSeen;
+            }
         }
     }
 
@@ -179,6 +209,11 @@ impl Report {
     /// Whether a check failed.
     pub fn failed(&self, check: Check) -> bool {
         matches!(self.status(check), Some(Status::Failed(_)))
+    }
+
+    /// Whether a check failed by this mistake.
+    pub fn failed_by(&self, check: Check, mistake: Mistake) -> bool {
+        matches!(self.status(check), Some(Status::Failed(why)) if why.cause == Some(mistake))
     }
 
     /// Whether what a check hangs on was passed or not seen.

@@ -42,6 +42,16 @@ pub enum Finding {
     CountNotAsked,
     /// Contacts are much softer than asked.
     ContactTooSoft,
+    /// A wall is felt elsewhere.
+    WallShifted,
+    /// Both of a pair are pushed the same way.
+    PushedAlike,
+    /// Some pairs pass through one another.
+    SomePassThrough,
+    /// The pull grows from frame to frame.
+    PullGrows,
+    /// A free disc stops.
+    StopsInFlight,
     /// Contacts are stiffer than asked.
     ContactTooStiff,
     /// An empty file.
@@ -170,6 +180,14 @@ pub enum Quantity {
     CountAsked,
     /// Stiffness of contacts over the rubric's.
     Stiffness,
+    /// How far beyond the wall discs touch, over the radius.
+    ShiftOverRadius,
+    /// Second difference of the first disc of a pair, m a frame².
+    BendFirst,
+    /// Of the second.
+    BendSecond,
+    /// Meetings of two discs.
+    Meetings,
     /// Seconds of wall time.
     Seconds,
     /// Exit code.

@@ -36,6 +36,28 @@ pub enum Bug {
     NormalNotNormalised,
     ForceAppliedTwice,
     DashpotAtFloorOnly,
+    /// The last disc meets nobody.
+    LastMeetsNobody,
+    /// Discs below the floor are put on it, and keep their speed.
+    FloorSticks,
+    /// Forces of all steps are added up.
+    ForcesNotReset,
+    /// A tenth of the stiffness everywhere.
+    SoftSprings,
+    /// A tenth of the stiffness between discs.
+    SoftPairs,
+    /// Both of a pair are pushed the same way.
+    SameSign,
+    /// Who is slower than 0.1 m/s stops.
+    Sleeps,
+    /// Nobody is faster than 0.4 m/s.
+    SpeedLimit,
+    /// The right wall stands at 45 mm.
+    WallFurther,
+    /// eta is 0.
+    NoDashpot,
+    /// Steps move copies.
+    MovesCopies,
     /// The first disc that touches the left wall 8 mm and more over the floor stays there.
     StaysAtWall,
     /// Discs that lie on the floor are given a speed along it.
@@ -108,18 +130,21 @@ impl Program {
         let eta = match self.bug {
             Bug::DampingSign => -self.eta,
             Bug::TooMuchDamping => 2.0,
-            Bug::DashpotAtFloorOnly => 0.0,
+            Bug::DashpotAtFloorOnly | Bug::NoDashpot => 0.0,
             _ => self.eta,
         };
+        let stiffness = if self.bug == Bug::SoftSprings { 0.1 * STIFFNESS } else { STIFFNESS };
         self.pairs(discs, eta, &mut forces);
         let reach = if self.bug == Bug::WallAtCentre { 0.0 } else { self.radius };
         for (disc, force) in discs.iter().zip(&mut forces) {
             for (axis, high) in [(0, false), (0, true), (1, false), (1, true)] {
                 let sign = if high { 1.0 } else { -1.0 }; // of the normal, to the wall
-                let depth = reach - if high { SIDE - disc[axis] } else { disc[axis] };
+                let is_further = self.bug == Bug::WallFurther && axis == 0;
+                let side = if is_further { 0.045 } else { SIDE };
+                let depth = reach - if high { side - disc[axis] } else { disc[axis] };
                 let is_floor = axis == 1 && !high;
                 let eta = if self.bug == Bug::DashpotAtFloorOnly && is_floor { 1.0 } else { eta };
-                let push = -STIFFNESS * depth * sign - eta * disc[axis + 2];
+                let push = -stiffness * depth * sign - eta * disc[axis + 2];
                 if depth > 0.0 {
                     force[axis] += match self.bug {
                         Bug::WallMissing => 0.0,
@@ -143,8 +168,13 @@ impl Program {
             Bug::NoPairContact => 0.0,
             _ => 2.0 * self.radius,
         };
-        for i in 0..discs.len() {
-            for j in i + 1..discs.len() {
+        let stiffness = match self.bug {
+            Bug::SoftSprings | Bug::SoftPairs => 0.1 * STIFFNESS,
+            _ => STIFFNESS,
+        };
+        let met = discs.len() - usize::from(self.bug == Bug::LastMeetsNobody);
+        for i in 0..met {
+            for j in i + 1..met {
                 let way = [discs[j][0] - discs[i][0], discs[j][1] - discs[i][1]];
                 let distance = way[0].hypot(way[1]);
                 if distance >= reach || distance == 0.0 {
@@ -153,7 +183,7 @@ impl Program {
                 let length = if self.bug == Bug::NormalNotNormalised { 1.0 } else { distance };
                 let n = [way[0] / length, way[1] / length];
                 let v = (discs[i][2] - discs[j][2]) * n[0] + (discs[i][3] - discs[j][3]) * n[1];
-                let push = STIFFNESS * (reach - distance) + eta * v;
+                let push = stiffness * (reach - distance) + eta * v;
                 let push = match self.bug {
                     Bug::ForceOverWrongMass => MASS * push,
                     Bug::ForceAppliedTwice => 2.0 * push,
@@ -161,16 +191,24 @@ impl Program {
                 };
                 for axis in 0..2 {
                     forces[i][axis] -= push * n[axis];
-                    if self.bug != Bug::OneDiscOnly {
-                        forces[j][axis] += push * n[axis];
-                    }
+                    forces[j][axis] += match self.bug {
+                        Bug::OneDiscOnly => 0.0,
+                        Bug::SameSign => -push * n[axis],
+                        _ => push * n[axis],
+                    };
                 }
             }
         }
     }
 
-    fn step(&self, discs: &mut [Disc]) {
-        let forces = self.forces(discs);
+    fn step(&self, discs: &mut [Disc], sums: &mut [[f64; 2]]) {
+        let mut forces = self.forces(discs);
+        if self.bug == Bug::ForcesNotReset {
+            for (force, sum) in forces.iter_mut().zip(sums) {
+                *sum = [sum[0] + force[0], sum[1] + force[1]];
+                *force = *sum;
+            }
+        }
         for (disc, force) in discs.iter_mut().zip(forces) {
             for axis in 0..2 {
                 let old = disc[axis + 2];
@@ -190,6 +228,16 @@ impl Program {
         });
         for (i, disc) in discs.iter_mut().enumerate() {
             let depth = self.radius - disc[1];
+            if self.bug == Bug::FloorSticks && depth > 0.0 {
+                disc[1] = self.radius;
+            }
+            let speed = disc[2].hypot(disc[3]);
+            let factor = match self.bug {
+                Bug::Sleeps if speed < 0.1 => 0.0,
+                Bug::SpeedLimit if speed > 0.4 => 0.4 / speed,
+                _ => 1.0,
+            };
+            disc[2..].iter_mut().for_each(|v| *v *= factor);
             let lies = depth > 0.0 && depth < 3.0 * MASS * 9.81 / STIFFNESS && disc[3].abs() < 0.02;
             let is_at_wall = disc[0] < 1.1 * self.radius || disc[0] > SIDE - 1.1 * self.radius;
             let is_touched = |(j, d): (usize, &Disc)| {
@@ -220,6 +268,7 @@ impl Program {
     pub fn output(mut self) -> String {
         let mut discs = self.place();
         let (mut out, mut held) = (String::new(), Vec::new());
+        let mut sums = vec![[0.0; 2]; self.n];
         let printed = if self.bug == Bug::Diameter { 2.0 * self.radius } else { self.radius };
         for frame in 0..self.frames {
             if self.bug == Bug::OrderChanges && frame % 40 == 20 {
@@ -240,8 +289,11 @@ impl Program {
             let more = self.bug == Bug::UnevenFrames && self.random() < 0.5;
             for _ in 0..if more { 2 * self.every } else { self.every } {
                 let before = discs.clone();
-                self.step(&mut discs);
+                self.step(&mut discs, &mut sums);
                 self.meddle(&mut discs, &before, &mut held);
+                if self.bug == Bug::MovesCopies {
+                    discs = before;
+                }
             }
         }
         out
