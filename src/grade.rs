@@ -15,9 +15,12 @@ pub mod energy;
 pub mod film;
 pub mod flight;
 pub mod frames;
+pub mod headings;
 pub mod interface;
+pub mod lines;
 pub mod long_run;
 pub mod many;
+pub mod misread;
 pub mod mistake;
 pub mod momentum;
 pub mod near;
@@ -27,6 +30,7 @@ pub mod replay;
 pub mod restitution;
 pub mod rubric;
 pub mod running;
+pub mod springs;
 pub mod stiffness;
 pub mod stuck;
 pub mod touching;
@@ -42,9 +46,8 @@ use self::frames::{Footage, read};
 use self::mistake::Mistake;
 use self::restitution::Restitutions;
 use self::rubric::Rubric;
-use self::stiffness::Stiffness;
+use self::springs::Springs;
 use self::stuck::Stuck;
-use self::touching::{Shift, Touching};
 use self::verdict::{Failure, Report, Status};
 use self::words::{Finding, Note, Quantity};
 
@@ -113,7 +116,8 @@ pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Optio
     report.decide(Check::Discs, || discs::kept(&film, asked));
     // What follows measures with true radii, whatever was printed.
     let film = film.before_it_ran_wild().with_true_radii(rubric);
-    report.decide(Check::Radii, || discs::radii(&film, rubric));
+    let as_written = film.failure_as_written(Check::Radii);
+    report.decide(Check::Radii, || as_written.unwrap_or_else(|| discs::radii(&film, rubric)));
     if report.passed(Check::Discs) {
         judge(report, &film, rubric);
     } else {
@@ -127,81 +131,6 @@ pub fn add_many(report: &mut Report, footage: Footage, n: usize, rubric: &Rubric
     report.decide(Check::Many, || many::verdict(footage, n, rubric));
 }
 
-/// What is known of the springs of walls and pairs, and of the places of walls.
-struct Springs {
-    wall: Option<Stiffness>,
-    pair: Option<Stiffness>,
-    shift: Option<Shift>,
-}
-
-impl Springs {
-    /// By the times of contacts, and by swings where frames are dense enough.
-    fn of(
-        film: &Film,
-        (flights, bounces, collisions): (&Flights, &[Bounce], &[Collision]),
-        rubric: &Rubric,
-    ) -> Self {
-        let [wall, pair] = Stiffness::of(film, flights, rubric);
-        let (timed, shift) = match touching::wall(film, bounces, flights, rubric) {
-            Some(Touching::Spring(spring)) => (Some(spring), None),
-            Some(Touching::Shifted(shift)) => (None, Some(shift)),
-            None => (None, None),
-        };
-        let timed_pair = touching::pair(collisions, flights, rubric);
-        let first = |swings: Option<Stiffness>, timed| swings.filter(Stiffness::is_off).or(timed);
-        let wall = first(wall, timed).filter(|wall| shift.is_none() && wall.is_off());
-        Self { wall, pair: first(pair, timed_pair).filter(Stiffness::is_off), shift }
-    }
-
-    /// The mistake at walls.
-    fn cause_at_walls(&self, rubric: &Rubric) -> Option<Mistake> {
-        self.shift.as_ref().map(Shift::cause).or_else(|| Some(self.wall.as_ref()?.cause(rubric)))
-    }
-
-    /// What is amiss at walls, unless the box has told it.
-    fn of_walls(&self, is_told: bool, bounces: &[Bounce], rubric: &Rubric) -> Status {
-        match (&self.shift, &self.wall) {
-            (None, None) => bounce::verdict(bounces),
-            _ if is_told => Status::NotSeen,
-            (Some(shift), _) => Status::Failed(shift.failure()),
-            (_, Some(wall)) => Status::Failed(wall.failure(wall.cause(rubric))),
-        }
-    }
-
-    /// What is amiss with the springs of pairs. If walls are off as well it is one mistake, and told there.
-    fn of_pairs(&self, is_timed: bool, rubric: &Rubric) -> Option<Status> {
-        let pair = self.pair.as_ref().filter(|pair| pair.is_timed == is_timed)?;
-        Some(match self.wall {
-            Some(_) => Status::NotSeen,
-            None => Status::Failed(pair.failure(pair.cause_of_pair(rubric))),
-        })
-    }
-
-    /// What is amiss with pairs: where frames lie within contacts, that tells most; then whom a push moves,
-    /// how long it lasts, and whether all are pushed.
-    fn pairs(
-        &self,
-        film: &Film,
-        (flights, collisions): (&Flights, &[Collision]),
-        is_apart: bool,
-        rubric: &Rubric,
-    ) -> Status {
-        if let Some(failure) = momentum::run_off(film, flights) {
-            return Status::Failed(failure);
-        }
-        if let Some(status) = self.of_pairs(false, rubric) {
-            return status;
-        }
-        let status = collision::verdict(collisions);
-        if matches!(status, Status::Failed(_)) {
-            return status;
-        }
-        let passing = is_apart.then(|| passing::verdict(film, flights, collisions, rubric));
-        let failed = passing.filter(|passing| matches!(passing, Status::Failed(_)));
-        self.of_pairs(true, rubric).or(failed).unwrap_or(status)
-    }
-}
-
 /// The checks of motion, on discs that are all there in every frame.
 fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     let flights = Flights::of(film, rubric);
@@ -210,7 +139,8 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     let collisions = collision::all(film, &flights);
     let springs = Springs::of(film, (&flights, &bounces, &collisions), rubric);
     let told = springs.cause_at_walls(rubric);
-    report.decide(Check::Box, || discs::inside(film, &flights, 1.0, told, rubric));
+    let inside = || discs::inside(film, &flights, 1.0, told, rubric);
+    report.decide(Check::Box, || film.failure_as_written(Check::Box).unwrap_or_else(inside));
     // Who has another box in mind fills it.
     let is_told = report.failed_by(Check::Box, Mistake::WallElsewhere);
     report.decide(Check::Start, || match discs::start(film, rubric) {

@@ -15,10 +15,12 @@ use std::time::{Duration, Instant};
 use self::interface::interface;
 use self::program::Course;
 use self::quality::{sanitizer, warnings};
-use self::runs::{Ended, ended, newly_written};
+use self::runs::{Ended, ended, newly_written, prints_frames};
 use crate::grade::check::Check;
 use crate::grade::film::Film;
 use crate::grade::frames::Footage;
+use crate::grade::mistake::Mistake;
+use crate::grade::rubric::Rubric;
 use crate::grade::rubric::program::Program;
 use crate::grade::verdict::{Failure, Report, Status};
 use crate::grade::words::Note;
@@ -161,7 +163,8 @@ impl Marker<'_> {
         let run = made.run(&errand, &self.course.limits())?;
         let others = newly_written(&made.folder(), &before);
         graded.log.push_str(&run.log);
-        graded.report.decide(Check::Runs, || match ended(&run, &others, program) {
+        let rubric = self.told(program.n, program.frames_at_least);
+        graded.report.decide(Check::Runs, || match ended(&run, &made.folder(), &others, &rubric) {
             Ended::Well => Status::Passed,
             Ended::Badly(failure) if is_old => Status::Failed(failure.of_a_program_handed_in()),
             Ended::Badly(failure) => Status::Failed(failure),
@@ -169,11 +172,22 @@ impl Marker<'_> {
         Ok(run)
     }
 
+    /// The rubric for a run that is told to take `n` discs, of which so many frames are enough.
+    fn told(&self, n: usize, frames_at_least: usize) -> Rubric {
+        let rubric = &self.course.rubric;
+        let program = Program { frames_at_least, ..rubric.program.clone() };
+        let n = if program.tells_n() { vec![n] } else { rubric.n.clone() };
+        Rubric { n, program, ..rubric.clone() }
+    }
+
     /// The checks of frames.
     fn judge_motion(&self, run: &Run, graded: &mut Graded) {
         let film: Option<Film> =
             add_film(&mut graded.report, footage(&run.film), &self.course.rubric);
         graded.report.torn += run.torn;
+        if run.film.is_blank() && prints_frames(&run.log) {
+            graded.report.blame(Check::Frames, Mistake::PrintedOnTheScreen);
+        }
         *graded = graded.clone().with_pictures(film.as_ref());
     }
 
@@ -196,8 +210,7 @@ impl Marker<'_> {
         let limits = Limits { run_wall: wall, ..self.course.limits() };
         let errand = self.course.errand(program.many, program.many_frames);
         let run = made.run(&errand, &limits)?;
-        let enough = Program { frames_at_least: 2, ..program.clone() };
-        match ended(&run, &[], &enough) {
+        match ended(&run, &made.folder(), &[], &self.told(program.many, 2)) {
             Ended::Badly(failure) => graded.report.decide(Check::Many, || Status::Failed(failure)),
             Ended::Well => {
                 let footage = footage(&run.film);

@@ -304,6 +304,192 @@ fn frames_that_show_no_motion_earn_no_full_marks_however_they_were_written() {
     assert!(report.passed(Check::Frames) && report.frames == 9, "{:#?}", report.checks);
 }
 
+/// Manners of saying which frame it is: before each, after each, and whether blank lines part frames as well.
+const MANNERS: [(&str, &str, &str); 14] = [
+    ("t = {t}\n", "", "\n"),
+    ("t={t}\n", "", ""),
+    ("20\n", "", "\n"),
+    ("20\nframe {k}\n", "", ""),
+    ("20\n\n", "", ""),
+    ("frame {k}/400\n", "", "\n"),
+    ("{t}\n", "", "\n"),
+    ("{t}\n", "", ""),
+    ("{t}\n\n", "", "\n"),
+    ("t = {t} s\n\n", "", "\n"),
+    ("", "---\n", ""),
+    ("", "end of frame {k}\n", "\n"),
+    ("{k} {t}\n", "", "\n"),
+    ("ITEM: TIMESTEP\n{k}\nITEM: BOX BOUNDS\n0 0.04\n0 0.04\nITEM: ATOMS x y r\n", "", ""),
+];
+
+/// Frames of a right program written in one of these manners; times are printed as C++ does, 0 among them.
+fn in_manner((before, after, blank): (&str, &str, &str), frames: &[&str]) -> Vec<String> {
+    let write = |(k, frame): (usize, &&str)| {
+        let said = |text: &str| {
+            let t = (k as f64 * 1e-3).to_string();
+            text.replace("{k}", &k.to_string()).replace("{t}", &t)
+        };
+        format!("{}{frame}\n{}{blank}", said(before), said(after))
+    };
+    frames.iter().enumerate().map(write).collect()
+}
+
+#[test]
+fn lines_that_say_which_frame_it_is_cost_nothing_with_blank_lines_or_without() {
+    let plain = Program::new(Bug::None, 3).output();
+    let frames: Vec<&str> = plain.split("\n\n").filter(|frame| !frame.is_empty()).collect();
+    for manner in MANNERS {
+        let written = in_manner(manner, &frames);
+        let file = written.concat();
+        let snapshots: Vec<Vec<u8>> = written.into_iter().map(String::into_bytes).collect();
+        for footage in [Footage::File(file.as_bytes()), Footage::Snapshots(&snapshots)] {
+            for n in [vec![], vec![20]] {
+                let report = grade_film(footage, &Rubric { n, ..elastic() });
+                assert_eq!(lost(&report), [], "{manner:?}: {:#?}", report.checks);
+                let seen = (report.frames, report.discs, report.torn);
+                assert_eq!(seen, (400, 20, 0), "{manner:?}");
+                assert!(report.passed(Check::FreeFlight), "{manner:?}: {:#?}", report.checks);
+            }
+        }
+    }
+    // Words between the same discs of each frame part nothing; a title and a last word are no frames.
+    let walls = frames.iter().map(|frame| {
+        let (at, _) = frame.match_indices('\n').nth(4).unwrap();
+        format!("{}\nthe others{}\n\n", &frame[..at], &frame[at..])
+    });
+    let walls = format!("My simulation\n\n{}done\n", walls.collect::<String>());
+    let report = grade(walls.as_bytes(), &elastic());
+    assert_eq!((lost(&report), report.frames, report.torn), (vec![], 400, 0));
+}
+
+#[test]
+fn a_wrong_program_loses_the_same_whatever_lines_stand_between_its_frames() {
+    for (bug, check, cause) in [
+        (Bug::DiscLost, Check::Discs, Mistake::DiscLost),
+        (Bug::GravitySign, Check::FreeFlight, Mistake::GravitySign),
+        (Bug::Diameter, Check::Radii, Mistake::DiameterAsRadius),
+    ] {
+        let plain = Program::new(bug, 2).output();
+        let frames: Vec<&str> = plain.split("\n\n").filter(|frame| !frame.is_empty()).collect();
+        for manner in MANNERS {
+            let report = grade(in_manner(manner, &frames).concat().as_bytes(), &elastic());
+            assert_eq!(lost(&report), [(check, Some(cause))], "{bug:?}, {manner:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_that_are_no_disc_are_shown_as_they_stand_there() {
+    let plain = Program::new(Bug::None, 1).output();
+    let row = plain.lines().next().unwrap();
+    let long = format!("{} {}", "wide;".repeat(40), "\u{202e}");
+    for (text, shown) in [
+        (plain.replace(' ', ";"), row.replace(' ', ";")),
+        (format!("x;y;r\n{}", plain.replace(' ', ",")), row.replace(' ', ",")),
+        (long, format!("{} ...", "wide;".repeat(12))),
+        ("a\u{1b}[31m b\n".to_owned(), "a\\u{1b}[31m b".to_owned()),
+    ] {
+        let report = grade(text.as_bytes(), &elastic());
+        assert_eq!(lost(&report), [(Check::Frames, Some(Mistake::WrongColumns))]);
+        let (_, why) = report.failures().next().unwrap();
+        assert_eq!(why.said, Some(format!("the first of these lines: {shown}")));
+    }
+}
+
+/// Each row of a film changed by the numbers in it.
+fn with_rows(plain: &str, change: impl Fn(usize, [f64; 3]) -> String) -> String {
+    let mut k = 0;
+    let row = |line: &str| {
+        let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+        let Ok(numbers) = <[f64; 3]>::try_from(numbers) else { return "\n".to_owned() };
+        k += 1;
+        change(k - 1, numbers) + "\n"
+    };
+    plain.lines().map(row).collect()
+}
+
+type Change = fn(usize, [f64; 3]) -> String;
+
+#[test]
+fn columns_units_and_a_box_elsewhere_are_told_by_name_and_cost_one_check() {
+    use Mistake::{BoxShifted, ColumnsExchanged, OtherUnit};
+    let cases: [(&str, Check, Mistake, Change); 12] = [
+        ("id x y r", Check::Radii, ColumnsExchanged, |k, [x, y, r]| {
+            format!("{} {x} {y} {r}", k % 20)
+        }),
+        ("r x y", Check::Radii, ColumnsExchanged, |_, [x, y, r]| format!("{r} {x} {y}")),
+        ("x r y", Check::Radii, ColumnsExchanged, |_, [x, y, r]| format!("{x} {r} {y}")),
+        ("x y z r", Check::Radii, ColumnsExchanged, |_, [x, y, r]| format!("{x} {y} 0 {r}")),
+        ("t x y r", Check::Radii, ColumnsExchanged, |k, [x, y, r]| {
+            format!("{} {x} {y} {r}", k / 20)
+        }),
+        ("x y m id r", Check::Radii, ColumnsExchanged, |k, [x, y, r]| {
+            format!("{x} {y} 1e-3 {} {r}", k % 20)
+        }),
+        ("mm", Check::Radii, OtherUnit, |_, all| all.map(|v| format!("{:.6}", 1e3 * v)).join(" ")),
+        ("mm, fixed", Check::Radii, OtherUnit, |_, all| {
+            all.map(|v| format!("{}", (1e8 * v).round() / 1e5)).join(" ")
+        }),
+        ("cm", Check::Radii, OtherUnit, |_, all| {
+            all.map(|v| format!("{}", (1e9 * v).round() / 1e7)).join(" ")
+        }),
+        ("centred", Check::Box, BoxShifted, |_, [x, y, r]| {
+            format!("{:.9} {:.9} {r}", x - 0.02, y - 0.02)
+        }),
+        ("centred, as C++", Check::Box, BoxShifted, |_, [x, y, r]| {
+            format!("{:e} {:e} {r}", x as f32 - 0.02, y as f32 - 0.02)
+        }),
+        ("centred in x", Check::Box, BoxShifted, |_, [x, y, r]| {
+            format!("{:.9} {y:.9} {r}", x - 0.02)
+        }),
+    ];
+    for seed in 1..4 {
+        let plain = Program::new(Bug::None, seed).output();
+        let wrong = Program::new(Bug::GravitySign, seed).output();
+        for (what, check, cause, change) in cases {
+            let report = grade(with_rows(&plain, change).as_bytes(), &elastic());
+            assert_eq!(lost(&report), [(check, Some(cause))], "{what}: {:#?}", report.checks);
+            assert!(report.passed(Check::FreeFlight) && report.passed(Check::Energy), "{what}");
+            // A second mistake is judged as well.
+            let report = grade(with_rows(&wrong, change).as_bytes(), &elastic());
+            assert!(report.failed(Check::FreeFlight), "{what}: {:#?}", report.checks);
+        }
+    }
+}
+
+#[test]
+fn what_no_column_unit_or_corner_makes_right_keeps_its_own_cause() {
+    let plain = Program::new(Bug::None, 1).output();
+    let cases: [(&str, Change); 4] = [
+        ("radii in mm alone", |_, [x, y, r]| format!("{x} {y} {}", 1e3 * r)),
+        ("radius of another course", |_, [x, y, r]| format!("{x} {y} {}", 3.0 * r)),
+        ("no radius", |k, [x, y, _]| format!("{x} {y} {}", k % 20)),
+        ("all lengths 10 times", |_, all| all.map(|v| (10.0 * v).to_string()).join(" ")),
+    ];
+    for (what, change) in cases {
+        let report = grade(with_rows(&plain, change).as_bytes(), &elastic());
+        let radii = lost(&report).into_iter().find(|(check, _)| *check == Check::Radii);
+        assert_eq!(radii, Some((Check::Radii, None)), "{what}: {:#?}", report.checks);
+    }
+    // Whoever falls out of the box is not at home elsewhere.
+    for bug in [Bug::WallMissing, Bug::InwardWallNormal, Bug::PlacedInWall] {
+        for seed in 1..9 {
+            let report = grade(Program::new(bug, seed).output().as_bytes(), &elastic());
+            assert!(lost(&report).iter().all(|(_, cause)| *cause != Some(Mistake::BoxShifted)));
+        }
+    }
+}
+
+#[test]
+fn one_frame_alone_is_told_by_name() {
+    let plain = Program::new(Bug::None, 1).output();
+    let frames: Vec<&str> = plain.split_inclusive("\n\n").collect();
+    for (count, cause) in [(1, Some(Mistake::OnlyTheLastFrame)), (2, None)] {
+        let report = grade(frames[..count].concat().as_bytes(), &elastic());
+        assert_eq!(lost(&report), [(Check::Frames, cause)]);
+    }
+}
+
 proptest! {
     #![proptest_config(support::steady())]
 
@@ -326,5 +512,31 @@ proptest! {
         for rubric in [elastic(), Rubric { n: vec![1, 2, 3], ..damped() }] {
             prop_assert_eq!(grade(text.as_bytes(), &rubric).checks.len(), 12);
         }
+    }
+    /// A film with lines between its frames loses nothing if its end is cut off anywhere, nor if frames of it are.
+    #[test]
+    fn frames_in_any_manner_may_be_cut_anywhere(
+        manner in 0..MANNERS.len(),
+        end in 0.4..1.0f64,
+        cuts in proptest::collection::vec((0..60usize, 0.0..1.0f64), 0..4),
+        n in 0..2usize,
+    ) {
+        let plain = Program { frames: 60, ..Program::new(Bug::None, 3) }.output();
+        let frames: Vec<&str> = plain.split("\n\n").filter(|frame| !frame.is_empty()).collect();
+        let written = in_manner(MANNERS[manner], &frames);
+        let part = |text: &str, part: f64| text[..(text.len() as f64 * part) as usize].to_owned();
+        let rubric = Rubric { n: vec![20; n], ..elastic() };
+        let cut_end = part(&written.concat(), end);
+        let report = grade(cut_end.as_bytes(), &rubric);
+        prop_assert_eq!(lost(&report), [], "{:?}, cut at {}: {:#?}", MANNERS[manner], end, report.checks);
+        prop_assert!(report.discs == 20 && report.frames >= 22, "{:?}: {}", MANNERS[manner], report.frames);
+        let mut snapshots = written.clone();
+        for (k, at) in cuts {
+            snapshots[k] = part(&snapshots[k], at);
+        }
+        let snapshots: Vec<Vec<u8>> = snapshots.into_iter().map(String::into_bytes).collect();
+        let report = grade_film(Footage::Snapshots(&snapshots), &rubric);
+        prop_assert_eq!(lost(&report), [], "{:?}: {:#?}", MANNERS[manner], report.checks);
+        prop_assert!(report.discs == 20 && report.frames >= 52);
     }
 }

@@ -242,3 +242,112 @@ fn a_part_of_a_class_does_not_take_the_others_out_of_its_tables_unless_told_to()
     assert_eq!((grade(same).0, rows()), (Some(0), 3));
     assert!(files(&folder.path().join("done")).contains(&"Ada_out.txt.html".to_owned()));
 }
+
+/// A program that does this and nothing else.
+fn program(body: &str) -> String {
+    format!(
+        "#include <cstdio>\n#include <cstdlib>\n#include <unistd.h>\nint main(int argc, char **argv) {{ (void)argc; (void)argv; {body} }}\n"
+    )
+}
+
+#[test]
+#[allow(clippy::too_many_lines)] // a table of cases
+fn what_a_program_did_instead_of_writing_frames_is_told_by_name() {
+    if !can_grade() {
+        return;
+    }
+    let rows =
+        "for (int i = 0; i < 20; i++) fprintf(f, \"%.4f 0.02 5e-4\\n\", 0.001 + 0.0015 * i);";
+    let frames = |n: &str, blank: &str, end: &str| {
+        format!(
+            "FILE *f = fopen(\"out.txt\", \"w\"); for (int k = 0; k < 30; k++) {{ double y = 0.03 - 4e-6 * k * k; \
+             for (int i = 0; i < {n}; i++) fprintf(f, \"%.6f %.6f 5e-4\\n\", 0.001 + 0.0018 * (i % 21), y + 0.0012 * (i / 21)); \
+             fprintf(f, \"{blank}\"); }} fclose(f); {end}"
+        )
+    };
+    let told = format!("{RUBRIC}arguments = ['{{n}}']\nmany = 30\n");
+    let counted = format!("n = [20]\n{RUBRIC}");
+    let full = "static char block[1 << 20]; FILE *f = fopen(\"big.dat\", \"w\"); for (;;) fwrite(block, 1, sizeof block, f);";
+    let cases = [
+        (
+            format!("FILE *f = stdout; {rows} {rows}"),
+            RUBRIC,
+            "frames: out.txt",
+            "[printed_on_the_screen]",
+        ),
+        (
+            format!("FILE *f = stdout; {rows} {rows} fflush(f); for (;;) sleep(1);"),
+            RUBRIC,
+            "frames: out.txt",
+            "[printed_on_the_screen]",
+        ),
+        (
+            format!("FILE *f = fopen(\"out.txt\", \"w\"); {rows}"),
+            RUBRIC,
+            "frames: 1\n",
+            "[only_the_last_frame]",
+        ),
+        (frames("20", "\\n", ""), &told, ":( many", "[number_of_discs_ignored]"),
+        (frames("atoi(argv[1])", "\\n", ""), &told, ":) many: a box of many discs", ""),
+        (frames("(atoi(argv[1]) > 25 ? 25 : 20)", "\\n", ""), &told, ":( many", "[disc_lost]"),
+        // It writes enough and then hangs: frames are counted without blank lines, too.
+        (frames("20", "", "for (;;) sleep(1);"), &counted, ":) runs", ":) frames"),
+        (frames("20", "t = 0.1\\n", "for (;;) sleep(1);"), RUBRIC, ":) runs", ":) frames"),
+        (full.to_owned(), RUBRIC, ":( runs", "    | big.dat\n"),
+    ];
+    let place = tempfile::tempdir().unwrap();
+    for (k, (body, rubric, where_, cause)) in cases.into_iter().enumerate() {
+        let folder = place.path().join(k.to_string());
+        hand_in(&folder, &[("Makefile", MAKEFILE), ("simulation.cpp", &program(&body))]);
+        let said = said_of(&folder, rubric);
+        holds(&said, &[where_, cause]);
+        assert!(!said.contains("written, bytes: 0\n"), "{said}");
+        assert!(!said.contains("[disc_lost]") || cause == "[disc_lost]", "{said}");
+    }
+}
+
+#[test]
+fn a_rubric_by_which_nothing_can_be_earned_or_that_says_two_things_is_refused() {
+    let all = Check::ALL.map(|check| format!("{} = 0\n", check.id())).concat();
+    let probe = "[interface]\nprobe = 'p.cpp'\nbuild = ['make']\nrun = ['./p']\n";
+    for (text, said) in [
+        (format!("[points]\n{all}"), "points are 0 for every check"),
+        ("[points]\ninterface = 2".to_owned(), "points.interface = 2, and there is no [interface]"),
+        ("eta = 0.5\nrestitution = 0.8".to_owned(), "way out: leave out eta, or restitution"),
+        ("eta = 0.5\nrestitution_wall = 0.8\nrestitution_pair = 0.8".to_owned(), "leave out eta"),
+        ("side = \"4cm\"".to_owned(), "way out: a number in m, without quotes: side = 0.04\n"),
+        ("kn = '5e4'".to_owned(), "way out: a number in N/m, without quotes: kn = 5e4\n"),
+        (
+            "[program]\nmany_frames = \"9\"".to_owned(),
+            "way out: a number, without quotes: many_frames = 12\n",
+        ),
+        (probe.to_owned(), "[interface] has no [[interface.case]]"),
+    ] {
+        let why = Rubric::parse(&text).unwrap_err();
+        assert!(why.contains(said), "{text}: {why}");
+    }
+    let alone = "[points]\n".to_owned() + &all.replace("energy = 0", "energy = 1");
+    let usual = parsim2d::grade::rubric::COMMENTED;
+    let elastic = usual.replace("# restitution = 1.0", "restitution = 1.0");
+    for text in [usual, &elastic, &alone, "eta = 0.5\nrestitution_wall = 0.8", "restitution = 0.8"]
+    {
+        assert!(Rubric::parse(text).is_ok(), "{text}: {:?}", Rubric::parse(text));
+    }
+}
+
+#[test]
+fn what_a_mac_adds_to_a_zip_is_no_submission() {
+    if !can_grade() {
+        return;
+    }
+    let class = tempfile::tempdir().unwrap();
+    let [ada, mac] = ["Ada", "__MACOSX"].map(|name| class.path().join(name));
+    hand_in(&ada, &[("Makefile", "all:\n")]);
+    hand_in(&mac, &[("._Makefile", "")]);
+    let arguments = [ada.to_str().unwrap(), mac.to_str().unwrap(), "--format", "json"];
+    let graded = handed_in::grade(&arguments);
+    let said = text(&graded.stderr);
+    holds(&said, &["__MACOSX is left out"]);
+    let all: serde_json::Value = serde_json::from_slice(&graded.stdout).unwrap();
+    assert_eq!(all.as_array().map(Vec::len), Some(1), "{all}");
+}

@@ -521,6 +521,26 @@ fn a_mistake_seen_in_two_checks_is_one_of_a_submission() {
 }
 
 #[test]
+fn per_cent_are_cut_alike_everywhere_and_one_submission_is_no_submissions() {
+    // 2999 of 3000 points are no full marks: 99.9, and not 100.
+    let rubric = rubric("[points]\nfree_flight = 2977.0\nrestitution_pair = 0\n");
+    let almost = graded(&rubric, &[(Check::Radii, euler())]);
+    let sum = almost.report.percent();
+    assert!((99.95..100.0).contains(&sum), "{sum}");
+    let entries = [Ok(almost.clone())];
+    for (what, said) in [
+        ("text", text_of_student(&almost, &ENGLISH)),
+        ("page", html_of_student(&almost, &ENGLISH)),
+        ("class", text_of_class(&entries, &ENGLISH)),
+        ("class page", html_of_class(&entries, &[], &ENGLISH)),
+    ] {
+        assert!(said.contains("99.9") && !said.contains("(100 %)"), "{what}: {said}");
+    }
+    let [one, two] = [1, 2].map(|n| html_of_class(&vec![entries[0].clone(); n], &[], &ENGLISH));
+    assert!(one.contains(">1 submission;") && two.contains(">2 submissions;"), "{one}");
+}
+
+#[test]
 fn a_terminal_gets_no_codes_from_a_submission() {
     let text = text_of_class(&class(), &ENGLISH) + &text_of_student(&hostile(), &ENGLISH);
     assert!(!text.contains(['\u{1b}', '\u{7}', '\r', '\0', '\u{202e}']), "{text:?}");

@@ -36,7 +36,7 @@ pub enum Check {
     Energy,
     /// In a long film discs come to rest at the bottom, or are a gas in equilibrium.
     LongRun,
-    /// A box of a thousand discs.
+    /// A box of many discs: a thousand, if the rubric does not say.
     Many,
     /// The compiler has nothing to warn of.
     Warnings,

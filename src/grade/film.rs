@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::digits::Digits;
+use super::misread::Misread;
 use super::rubric::Rubric;
 
 /// A disc in a frame.
@@ -32,6 +33,8 @@ pub struct Film {
     pub is_wild: bool,
     /// Whether the printed radii were diameters, and have been halved.
     pub halved: bool,
+    /// How it was written instead of `x y r` in m, if it was; it has been put right.
+    pub misread: Option<Misread>,
     /// Side of the box, m.
     pub side: f64,
     /// Lower left corner of the box, m.

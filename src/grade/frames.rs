@@ -1,28 +1,21 @@
 //! Reads what a student's program wrote: frames of `x y r` lines, as leniently as can be without
 //! guessing. Any bytes give a film or a failure, never a panic.
 //!
-//! Forgiven: CRLF, a line of names at the head, remarks (`#`), commas or semicolons between columns,
-//! more columns, any number of blank lines, or none if the rubric says how many discs there are, a
-//! border of discs that never move, and frames that are cut (left out; they cost nothing).
+//! Forgiven: CRLF, headings (a line of names, `t = 0.01`, a count, `---`), remarks (`#`), commas or semicolons after
+//! columns, more columns, any number of blank lines, or none if headings part frames or the rubric says how many discs
+//! there are, a border of discs that never move, and frames that are cut (left out; they cost nothing).
 //! `output::frames` is stricter: it stops at the first line that is not as parsim2d writes it.
 
 use glam::DVec2;
 
-use super::digits::Tally;
 use super::film::{Film, Spot};
+use super::headings::{Block, Headings};
+use super::lines::{COLUMNS, Reader};
+use super::misread::{self, Misread};
 use super::mistake::Mistake;
 use super::rubric::Rubric;
 use super::verdict::Failure;
-use super::words::{Finding, Quantity};
-
-/// A frame while it is read.
-#[derive(Clone, Debug, Default)]
-struct Block {
-    rows: Vec<Spot>,
-    bad_rows: usize,
-    /// Lines without a number before the first row.
-    names: usize,
-}
+use super::words::{ENGLISH, Finding, Quantity};
 
 /// What a program left, as it was caught.
 #[derive(Clone, Copy, Debug)]
@@ -47,39 +40,93 @@ impl Footage<'_> {
     }
 }
 
-/// The film in what a program left, or why there is none.
+/// The columns in which x, y and r should stand.
+const USUAL: [usize; 3] = [0, 1, 2];
+
+/// The film in what a program left, or why there is none. What another order of columns, another unit or another corner
+/// of the box makes right is put right, and [`Film::misread`] says so.
 pub fn read(footage: Footage, rubric: &Rubric) -> Result<Film, Failure> {
-    let mut tally = Tally::default();
-    let blocks = match footage {
-        Footage::Nothing => return Err(Failure::of(Finding::NothingWritten, Mistake::NoFrames)),
-        Footage::File(bytes) => split(file(bytes, &mut tally), rubric),
+    let (film, sample) = read_columns(footage, rubric, USUAL)?;
+    match misread::columns(&sample, rubric) {
+        Some(columns) => {
+            let (mut film, _) = read_columns(footage, rubric, columns)?;
+            film.misread = Some(Misread::Columns(columns));
+            Ok(film)
+        }
+        None => Ok(film),
+    }
+}
+
+/// How many frames there are, whole or cut, as [`read`] would part them.
+///
+/// ```
+/// use parsim2d::grade::{frames::{Footage, count}, rubric::Rubric};
+/// let (rows, rubric) = ("0.01 0.02 5e-4\n".repeat(6), Rubric { n: vec![2], ..Rubric::default() });
+/// assert_eq!(count(Footage::File(rows.as_bytes()), &rubric), 3); // no blank line: n tells
+/// assert_eq!(count(Footage::File(b"2\n0 0 1\n0 0 1\n2\n0 0 1\n0 0 1\n"), &Rubric::default()), 2);
+/// ```
+pub fn count(footage: Footage, rubric: &Rubric) -> usize {
+    blocks(footage, rubric, &mut Reader::of(USUAL)).len()
+}
+
+/// The blocks of what a program left.
+fn blocks(footage: Footage, rubric: &Rubric, reader: &mut Reader) -> Vec<Block> {
+    match footage {
+        Footage::Nothing => Vec::new(),
+        Footage::File(bytes) => split(file(bytes, reader), rubric),
         // A program that writes its whole history each time: the last one has it all.
         Footage::Snapshots([rest @ .., last]) if grows(rest, last) => {
-            split(file(last, &mut tally), rubric)
+            split(file(last, reader), rubric)
         }
-        Footage::Snapshots(all) => snapshots(all, &mut tally),
-    };
+        Footage::Snapshots(all) => snapshots(all, reader),
+    }
+}
+
+/// The film whose x, y and r stand in these columns, and all columns of some of its rows.
+fn read_columns(
+    footage: Footage,
+    rubric: &Rubric,
+    columns: [usize; 3],
+) -> Result<(Film, Vec<[f64; COLUMNS]>), Failure> {
+    if matches!(footage, Footage::Nothing) {
+        return Err(Failure::of(Finding::NothingWritten, Mistake::NoFrames));
+    }
+    let mut reader = Reader::of(columns);
+    let blocks = blocks(footage, rubric, &mut reader);
     if blocks.is_empty() && footage.is_blank() {
         return Err(Failure::of(Finding::NothingWritten, Mistake::EmptyFile));
     }
+    let said = first_bad_line(&reader);
     if blocks.iter().all(|block| block.rows.is_empty()) {
-        let bad: usize = blocks.iter().map(|block| block.bad_rows + block.names).sum();
-        let cause = if bad > 0 { Mistake::WrongColumns } else { Mistake::NoFrames };
-        return Err(Failure::of(Finding::NoRows, cause).with(Quantity::BadLines, bad as f64));
+        let cause = if reader.others > 0 { Mistake::WrongColumns } else { Mistake::NoFrames };
+        let failure = Failure::of(Finding::NoRows, cause);
+        return Err(failure.with(Quantity::BadLines, reader.others as f64).saying(&said));
     }
+    let is_bad = blocks.iter().any(|block| block.bad_rows > 0);
     let all = blocks.len();
     let (frames, follows) = whole(blocks);
     let torn = all - frames.len();
     if torn > frames.len() {
         let failure = Failure::of(Finding::MostlyTorn, Mistake::FrameTorn);
-        return Err(failure.with(Quantity::TornFrames, torn as f64));
+        let said = if is_bad { said.as_str() } else { "" };
+        return Err(failure.with(Quantity::TornFrames, torn as f64).saying(said));
     }
-    let digits = tally.digits();
+    let digits = reader.tally.digits();
     let (side, corner) = (rubric.side, DVec2::from(rubric.corner));
-    let mut film =
-        Film { frames, follows, digits, torn, is_wild: false, halved: false, side, corner };
+    let (halved, misread, is_wild) = (false, None, false);
+    let mut film = Film { frames, follows, digits, torn, is_wild, halved, misread, side, corner };
+    film.put_right(rubric);
     drop_border(&mut film, rubric);
-    Ok(film)
+    Ok((film, reader.sample))
+}
+
+/// The first line that is no disc, for a student.
+fn first_bad_line(reader: &Reader) -> String {
+    const LONGEST: usize = 60;
+    let Some(line) = reader.first_other() else { return String::new() };
+    let shown: String = line.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+    let more = if line.chars().nth(LONGEST).is_some() { " ..." } else { "" };
+    format!("{}: {shown}{more}", ENGLISH.bad_line)
 }
 
 /// Whether each snapshot is the one before it, and more.
@@ -90,90 +137,59 @@ fn grows(rest: &[Vec<u8>], last: &[u8]) -> bool {
 }
 
 /// The frames of a file. If its last line has no end, it was cut there.
-fn file(bytes: &[u8], tally: &mut Tally) -> Vec<Block> {
-    let mut blocks = blocks(bytes, tally);
+fn file(bytes: &[u8], reader: &mut Reader) -> Vec<Block> {
+    let passages = reader.passages(bytes);
+    let headings = Headings::of(&passages, reader.shapes());
+    let mut blocks: Vec<Block> =
+        passages.iter().flat_map(|passage| headings.blocks(passage)).collect();
     if blocks.len() > 2 && !bytes.ends_with(b"\n") {
-        blocks.last_mut().into_iter().for_each(|block| block.bad_rows += 1);
+        let last = blocks.last_mut().filter(|block| !block.rows.is_empty());
+        last.into_iter().for_each(|block| block.bad_rows += 1);
     }
+    // Headings alone are no frame.
+    blocks.retain(|block| block.rows.len() + block.bad_rows > 0);
     blocks
 }
 
 /// Each snapshot is one frame. One without an end where the others have one was caught too early.
-fn snapshots(all: &[Vec<u8>], tally: &mut Tally) -> Vec<Block> {
-    let all = all.iter().filter(|bytes| !bytes.is_empty());
-    let ends = all.clone().filter(|bytes| bytes.ends_with(b"\n")).count();
-    let is_usual = 2 * ends > all.clone().count();
-    all.filter_map(|bytes| {
-        let mut whole = Block {
-            bad_rows: usize::from(is_usual && !bytes.ends_with(b"\n")),
-            ..Block::default()
-        };
-        for part in blocks(bytes, tally) {
-            whole.rows.extend(part.rows);
-            whole.bad_rows += part.bad_rows;
-            whole.names += part.names;
-        }
-        (whole.rows.len() + whole.bad_rows + whole.names > 0).then_some(whole)
-    })
-    .collect()
-}
-
-/// The blocks between blank lines and remarks.
-fn blocks(bytes: &[u8], tally: &mut Tally) -> Vec<Block> {
-    let text = String::from_utf8_lossy(bytes);
-    let (mut blocks, mut block) = (Vec::new(), Block::default());
-    let mut finish = |block: &mut Block| {
-        if block.rows.len() + block.bad_rows + block.names > 0 {
-            blocks.push(std::mem::take(block));
-        }
-    };
-    for line in text.trim_start_matches('\u{feff}').lines().map(str::trim) {
-        if line.is_empty() || line.starts_with('#') {
-            finish(&mut block);
-            continue;
-        }
-        // As gnuplot reads: blanks part columns; a comma after a number does no harm.
-        let words: Vec<&str> =
-            line.split_whitespace().map(|word| word.trim_end_matches([',', ';'])).collect();
-        match row(&words) {
-            Some(spot) => {
-                words[..2].iter().for_each(|word| tally.note(word));
-                block.rows.push(spot);
-            }
-            // A line of names at the head of a frame is no row.
-            None if block.rows.is_empty() && is_names(&words) => block.names += 1,
-            None => block.bad_rows += 1,
+fn snapshots(all: &[Vec<u8>], reader: &mut Reader) -> Vec<Block> {
+    let all: Vec<&Vec<u8>> = all.iter().filter(|bytes| !bytes.is_empty()).collect();
+    let ends = all.iter().filter(|bytes| bytes.ends_with(b"\n")).count();
+    let is_usual = 2 * ends > all.len();
+    let (mut passages, mut whose) = (Vec::new(), Vec::new());
+    for (k, bytes) in all.iter().enumerate() {
+        let own = reader.passages(bytes);
+        whose.extend(vec![k; own.len()]);
+        passages.extend(own);
+    }
+    let headings = Headings::of(&passages, reader.shapes());
+    let bad_rows = |bytes: &Vec<u8>| usize::from(is_usual && !bytes.ends_with(b"\n"));
+    let new = |bytes: &&Vec<u8>| Block { bad_rows: bad_rows(bytes), ..Block::default() };
+    let mut blocks: Vec<Block> = all.iter().map(new).collect();
+    for (k, passage) in whose.into_iter().zip(&passages) {
+        for part in headings.blocks(passage) {
+            blocks[k].rows.extend(part.rows);
+            blocks[k].bad_rows += part.bad_rows;
+            blocks[k].headings += part.headings;
         }
     }
-    finish(&mut block);
+    blocks.retain(|block| !block.is_empty());
     blocks
-}
-
-fn is_names(words: &[&str]) -> bool {
-    words.iter().all(|word| number(word).is_none())
-}
-
-/// A number as C, C++, Python and Rust print it; `-nan` and `nan(ind)` too.
-fn number(word: &str) -> Option<f64> {
-    let lower = word.trim_start_matches(['-', '+']).to_ascii_lowercase();
-    if lower.starts_with("nan") || lower.starts_with("1.#") {
-        return Some(f64::NAN);
-    }
-    word.parse().ok()
-}
-
-fn row(words: &[&str]) -> Option<Spot> {
-    let [x, y, r, ..] = words else { return None };
-    Some(Spot { position: DVec2::new(number(x)?, number(y)?), radius: number(r)? })
 }
 
 /// One long block is many frames of n rows, if the rubric knows n.
 fn split(blocks: Vec<Block>, rubric: &Rubric) -> Vec<Block> {
     let [one] = blocks.as_slice() else { return blocks };
-    let rows = if one.bad_rows > 0 { 0 } else { one.rows.len() };
-    let fits = |n: &&usize| **n > 0 && rows > **n && rows % **n == 0;
-    let Some(&n) = rubric.n.iter().find(fits) else { return blocks };
-    one.rows.chunks(n).map(|rows| Block { rows: rows.to_vec(), ..Block::default() }).collect()
+    let rows = one.rows.len();
+    let fits = |n: &&usize| **n > 0 && rows > **n && rows % **n == 0 && one.bad_rows == 0;
+    // The last frame, or row, may be cut.
+    let nearly = |n: &&usize| **n > 0 && rows > 2 * **n && one.bad_rows <= 1;
+    let Some(&n) = rubric.n.iter().find(fits).or_else(|| rubric.n.iter().find(nearly)) else {
+        return blocks;
+    };
+    let whole = one.rows.len() - usize::from(has_cut_end(&one.rows));
+    let frames = one.rows[..whole].chunks(n);
+    frames.map(|rows| Block { rows: rows.to_vec(), ..Block::default() }).collect()
 }
 
 /// The whole frames, and for each whether it follows the one before directly.

@@ -1,4 +1,4 @@
-//! A box of a thousand discs: what can be said from a few frames.
+//! A box of many discs, a thousand if the rubric does not say: what can be said from a few frames.
 //!
 //! Nothing of motion is asked again. What goes wrong only with many is room (arrays of a fixed size,
 //! places that cannot be found), time, and contacts of several discs at once.
@@ -6,8 +6,10 @@
 use super::discs;
 use super::flight::Flights;
 use super::frames::{Footage, read};
+use super::mistake::Mistake;
 use super::rubric::Rubric;
 use super::verdict::{Failure, Status, Verdict};
+use super::words::Finding;
 
 /// In a crowd discs that touch a wall are pushed further by others: twice the depth of one alone.
 const CROWDED: f64 = 2.0;
@@ -25,6 +27,13 @@ pub fn verdict(footage: Footage, n: usize, rubric: &Rubric) -> Verdict {
     };
     match discs::kept(&film, &rubric.n) {
         Status::Passed => {}
+        Status::Failed(mut failure) if failure.finding == Finding::CountNotAsked => {
+            // As many as in the first film, whatever it was told.
+            if film.n() == rubric.program.n && film.n() != n {
+                failure.cause = Some(Mistake::NumberOfDiscsIgnored);
+            }
+            return Status::Failed(failure);
+        }
         other => return other,
     }
     let film = film.with_true_radii(&rubric);

@@ -32,6 +32,18 @@ pub enum Mistake {
     NoFrames,
     /// Fewer than three columns.
     WrongColumns,
+    /// x, y and r stand in other columns.
+    ColumnsExchanged,
+    /// Lengths in another unit than m.
+    OtherUnit,
+    /// The box lies elsewhere.
+    BoxShifted,
+    /// Rows of discs were printed, and not written to the file.
+    PrintedOnTheScreen,
+    /// One frame is all there is.
+    OnlyTheLastFrame,
+    /// As many discs whatever number is asked for.
+    NumberOfDiscsIgnored,
     /// Most frames are cut.
     FrameTorn,
     /// NaN or infinity.
@@ -112,7 +124,7 @@ pub enum Mistake {
 
 impl Mistake {
     /// All of them, in the order in which submissions come to them.
-    pub const ALL: [Self; 51] = [
+    pub const ALL: [Self; 57] = [
         Self::ArchiveNotUnpacked,
         Self::NoMakefile,
         Self::DoesNotBuild,
@@ -126,6 +138,12 @@ impl Mistake {
         Self::EmptyFile,
         Self::NoFrames,
         Self::WrongColumns,
+        Self::ColumnsExchanged,
+        Self::OtherUnit,
+        Self::BoxShifted,
+        Self::PrintedOnTheScreen,
+        Self::OnlyTheLastFrame,
+        Self::NumberOfDiscsIgnored,
         Self::FrameTorn,
         Self::NotANumber,
         Self::NothingMoves,

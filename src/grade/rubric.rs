@@ -159,20 +159,31 @@ impl Default for Rubric {
 /// A commented rubric with the usual numbers.
 pub const COMMENTED: &str = include_str!("rubric/usual.toml");
 
-/// Why `text` is no rubric; where one value stands for a list of it, how to write that.
+/// Why `text` is no rubric; where one value stands for a list of it, or words for a number, how to write that.
 fn not_read(why: &toml::de::Error, text: &str) -> String {
-    let way_out = why.message().ends_with("expected a sequence").then(|| {
-        let span = why.span()?;
-        let (before, value) = (text.get(..span.start)?, text.get(span)?);
-        let key = before.lines().last()?.trim_end_matches([' ', '=']).trim_start();
-        let words = value.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+    format!("{why}{}", way_out(why, text).unwrap_or_default())
+}
+
+fn way_out(why: &toml::de::Error, text: &str) -> Option<String> {
+    let span = why.span()?;
+    let (before, value) = (text.get(..span.start)?, text.get(span)?);
+    let key = before.lines().last()?.trim_end_matches([' ', '=']).trim_start();
+    let words = value.strip_prefix(['"', '\'']).and_then(|text| text.strip_suffix(['"', '\'']));
+    if why.message().ends_with("expected a sequence") {
         let list = words.map_or(value.to_owned(), |words| {
             let words = words.split_whitespace().map(|word| format!("{word:?}"));
             words.collect::<Vec<_>>().join(", ")
         });
-        Some(format!("  way out: a list, {key} = [{list}]\n"))
-    });
-    format!("{why}{}", way_out.flatten().unwrap_or_default())
+        return Some(format!("  way out: a list, {key} = [{list}]\n"));
+    }
+    words.filter(|_| why.message().contains("invalid type: string"))?;
+    // The usual rubric has the unit after the value.
+    let line = COMMENTED.lines().find(|line| line.split(" = ").next() == Some(key))?;
+    let (usual, unit) = line.split_once('#').unwrap_or((line, ""));
+    let unit = unit.split([',', ':', ';']).next().unwrap_or_default().trim();
+    let unit = if unit.contains(' ') || unit.is_empty() { "" } else { &format!(" in {unit}") };
+    let usual = usual.trim();
+    Some(format!("  way out: a number{unit}, without quotes: {usual}\n"))
 }
 
 impl Rubric {
@@ -210,6 +221,8 @@ impl Rubric {
             .or_else(|| self.part_refused())
             .or_else(|| self.program.refused())
             .or_else(|| self.n_refused())
+            .or_else(|| self.points_refused())
+            .or_else(|| self.eta_refused())
             .or_else(|| self.interface.as_ref().and_then(Interface::refused))
     }
 
@@ -219,6 +232,38 @@ impl Rubric {
         let is_told = self.program.tells_n() && !asked.is_empty();
         (is_told && !asked.contains(&n)).then(|| {
             format!("program.n = {n} is what programs are told, and n = {asked:?} is what is right\n  way out: n = [{n}]")
+        })
+    }
+
+    /// Points that nobody can earn.
+    fn points_refused(&self) -> Option<String> {
+        let own = self.points.get(&Check::Interface).copied().unwrap_or(0.0);
+        if own > 0.0 && self.interface.is_none() {
+            return Some(format!(
+                "points.interface = {own}, and there is no [interface]: nothing would be asked\n  way out: an [interface] with \
+                 its cases, or no points for it"
+            ));
+        }
+        let all: f64 = Check::ALL.iter().map(|&check| self.points_of(check)).sum();
+        (all == 0.0).then(|| {
+            "points are 0 for every check: there is nothing to earn\n  way out: above 0 for one check and more, as \
+             free_flight = 3.0"
+                .to_owned()
+        })
+    }
+
+    /// A damping of the course's own, and restitutions that would be taken in its place.
+    fn eta_refused(&self) -> Option<String> {
+        let (eta, usual) = (self.eta, Self::default().eta);
+        let name = match (self.restitution, self.restitution_wall, self.restitution_pair) {
+            (Some(_), ..) => "restitution",
+            (_, Some(_), Some(_)) => "restitution_wall and restitution_pair",
+            _ => return None,
+        };
+        (eta != usual).then(|| {
+            format!(
+                "eta = {eta} and {name} are given, and one follows from the other\n  way out: leave out eta, or {name}"
+            )
         })
     }
 

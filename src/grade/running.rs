@@ -2,8 +2,9 @@
 //!
 //! Who builds and runs (the workshop) finds them; here they get their causes, words and numbers.
 
+use super::check::Check;
 use super::mistake::Mistake;
-use super::verdict::Failure;
+use super::verdict::{Failure, Report, Status};
 use super::words::{ENGLISH, Finding, Quantity};
 
 impl Failure {
@@ -76,7 +77,8 @@ impl Failure {
 
     /// A film of fewer frames than the rubric wants: nothing can be seen to move.
     pub fn too_few_frames(frames: usize, wanted: usize) -> Self {
-        let failure = Self::of(Finding::TooFewFrames, None);
+        let cause = (frames == 1).then_some(Mistake::OnlyTheLastFrame);
+        let failure = Self::of(Finding::TooFewFrames, cause);
         failure.with(Quantity::Frames, frames as f64).with(Quantity::FramesWanted, wanted as f64)
     }
 
@@ -105,5 +107,17 @@ impl Failure {
     /// What a sanitizer reports.
     pub fn misused(log: &str) -> Self {
         Self::of(Finding::Misused, None).saying(log)
+    }
+}
+
+impl Report {
+    /// Gives a failed check another cause: what is known of the run tells more than the frames.
+    pub fn blame(&mut self, check: Check, cause: Mistake) {
+        let own = self.checks.iter_mut().filter(|(known, _)| *known == check);
+        for (_, status) in own {
+            if let Status::Failed(failure) = status {
+                failure.cause = Some(cause);
+            }
+        }
     }
 }

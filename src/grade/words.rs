@@ -68,6 +68,12 @@ pub enum Finding {
     OrderChanges,
     /// A radius that was not asked for.
     WrongRadius,
+    /// x, y and r are in other columns.
+    ColumnsExchanged,
+    /// Lengths are in another unit.
+    OtherUnit,
+    /// The box has another corner.
+    BoxShifted,
     /// A radius that changes.
     RadiusChanges,
     /// A disc too far beyond a wall.
@@ -218,6 +224,12 @@ pub enum Quantity {
     LargestDistance,
     /// Places of discs that were used.
     Places,
+    /// Column of x, y or r, from 1.
+    Column,
+    /// Lower left corner of the box as it seems, x, m.
+    CornerX,
+    /// The same, y, m.
+    CornerY,
 }
 
 /// The words for a check.
@@ -266,6 +278,8 @@ pub struct Words {
     pub case: [&'static str; 3],
     /// Before files that are not there, and before archives that are.
     pub missing: [&'static str; 2],
+    /// Before the first line that is no disc.
+    pub bad_line: &'static str,
     /// Before the name of a program that should have been built and was not.
     pub no_program: &'static str,
     /// Before the frame of a failure.

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::grade::rubric::program::Program;
+use super::footage;
+use crate::grade::frames::count;
+use crate::grade::rubric::Rubric;
 use crate::grade::verdict::Failure;
 use crate::workshop::{Film, Outcome, Run};
 
@@ -15,16 +17,14 @@ pub(super) enum Ended {
     Badly(Failure),
 }
 
-/// What is said of `run`, which wrote these `other` files besides.
-pub(super) fn ended(run: &Run, others: &[PathBuf], program: &Program) -> Ended {
+/// What is said of `run` in `folder`, which wrote these `other` files besides.
+pub(super) fn ended(run: &Run, folder: &Path, others: &[PathBuf], rubric: &Rubric) -> Ended {
     let log = &run.log;
+    let frames = || whole_frames(&run.film, rubric);
     let failure = match run.outcome {
         // Whoever writes empty frames over and over does write.
         Outcome::Ended(0)
-            if run.film.is_blank()
-                && whole_frames(&run.film) < 2
-                && others.is_empty()
-                && !prints_frames(log) =>
+            if run.film.is_blank() && frames() < 2 && others.is_empty() && !prints_frames(log) =>
         {
             match run.asked_for_more {
                 true => Failure::waits_for_input(run.took.as_secs_f64(), log),
@@ -36,7 +36,7 @@ pub(super) fn ended(run: &Run, others: &[PathBuf], program: &Program) -> Ended {
             // A program that runs for ever is right, if it writes in time; one that prints or writes
             // elsewhere writes no frames.
             let is_elsewhere = run.film.is_blank() && (!others.is_empty() || prints_frames(log));
-            if is_elsewhere || whole_frames(&run.film) >= program.frames_at_least {
+            if is_elsewhere || frames() >= rubric.program.frames_at_least {
                 return Ended::Well;
             }
             match run.asked_for_more {
@@ -49,31 +49,38 @@ pub(super) fn ended(run: &Run, others: &[PathBuf], program: &Program) -> Ended {
         }
         Outcome::Ended(code) => Failure::ends_with_code(code, log),
         Outcome::Signal(signal) => Failure::ends_by_signal(signal, log),
-        Outcome::OutputTooLarge => Failure::output_too_large(run.film.bytes()),
+        Outcome::OutputTooLarge => too_large(run, folder),
         Outcome::MemoryUp | Outcome::TooManyProcesses => Failure::stopped_by_limits(log),
         Outcome::NotStarted => Failure::does_not_build(log),
     };
     Ended::Badly(failure)
 }
 
-/// Frames in a film, as far as can be told without reading numbers.
-pub(super) fn whole_frames(film: &Film) -> usize {
+/// What is said of a program that wrote too much: how much, and where most of it is.
+fn too_large(run: &Run, folder: &Path) -> Failure {
+    let size = |entry: fs::DirEntry| {
+        let found = fs::symlink_metadata(entry.path()).ok().filter(fs::Metadata::is_file)?;
+        Some((found.len(), entry.file_name().to_string_lossy().into_owned()))
+    };
+    let files = fs::read_dir(folder).into_iter().flatten().flatten().filter_map(size);
+    let (bytes, name) = files.max().unwrap_or_default();
+    match run.film.bytes() {
+        // What was written over and over is large as a whole only.
+        all if all >= bytes => Failure::output_too_large(all),
+        _ => Failure::output_too_large(bytes).saying(&name),
+    }
+}
+
+/// Frames in a film, whole or cut.
+fn whole_frames(film: &Film, rubric: &Rubric) -> usize {
     match film {
         Film::Snapshots(all) => all.len(),
-        Film::File(bytes) => {
-            // Blank lines between blocks of lines.
-            let is_blank = |line: &&[u8]| line.iter().all(u8::is_ascii_whitespace);
-            let lines: Vec<_> = bytes.split(|byte| *byte == b'\n').collect();
-            let starts = |pair: &[&[u8]]| is_blank(&pair[0]) && !is_blank(&pair[1]);
-            let first = lines.first().is_some_and(|line| !is_blank(line));
-            lines.windows(2).filter(|pair| starts(pair)).count() + usize::from(first)
-        }
-        Film::Nothing => 0,
+        Film::File(_) | Film::Nothing => count(footage(film), rubric),
     }
 }
 
 /// Whether rows of numbers were printed where nobody reads them.
-fn prints_frames(log: &str) -> bool {
+pub(super) fn prints_frames(log: &str) -> bool {
     let is_row = |line: &str| {
         let numbers = line.split_whitespace().map(str::parse::<f64>);
         let numbers: Vec<_> = numbers.take(3).collect();

@@ -17,7 +17,8 @@ use crate::page::html::escaped;
 /// One self-contained page. `files` are the names of the students' pages beside it, in the order of the
 /// entries; none for no links.
 pub fn html_of_class(entries: &[Entry], files: &[String], words: &Words) -> String {
-    let [submissions, middle] = words.class_line;
+    let [one, several, middle] = words.class_line;
+    let submissions = if entries.len() == 1 { one } else { several };
     let mut line = format!("{} {submissions}", entries.len());
     if let Some(median) = median(entries) {
         let _ = write!(line, "; {middle}: {}", percent(median));

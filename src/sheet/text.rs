@@ -51,9 +51,11 @@ pub fn said(failure: &Failure, words: &Words) -> Option<String> {
     Some(if is_cut { format!("{start}\n{}", words.cut) } else { start.to_owned() })
 }
 
-/// The heading of what a tool printed; names of files have their own.
+/// The heading of what a tool printed; names of files and lines of frames have their own.
 pub fn said_by(failure: &Failure, words: &Words) -> Option<&'static str> {
-    (failure.finding != Finding::FileMissing).then_some(words.said)
+    let has_own =
+        [Finding::FileMissing, Finding::NoRows, Finding::MostlyTorn, Finding::WritesTooMuch];
+    (!has_own.contains(&failure.finding)).then_some(words.said)
 }
 
 /// Everything that is said of a check, but for its title and what a tool printed.
@@ -134,7 +136,7 @@ pub fn sum(report: &Report, words: &Words) -> String {
     let (earned, lost, open) = (report.earned(), report.lost(), report.open());
     let name = words.grade.points_of(earned + lost);
     let [earned, decided] = [earned, earned + lost].map(points);
-    let mut line = format!("{earned} {of} {decided} {name} ({:.0} %)", report.percent());
+    let mut line = format!("{earned} {of} {decided} {name} ({} %)", percent(report.percent()));
     let open = points(open);
     if open != "0" {
         let _ = write!(line, "; {open} {not_judged}");

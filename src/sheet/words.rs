@@ -100,8 +100,8 @@ pub struct Words {
     pub any: &'static str,
     /// Heads of the table of a class: whose, per cent, mistakes.
     pub class_head: [&'static str; 3],
-    /// Below the title of a class: submissions, median.
-    pub class_line: [&'static str; 2],
+    /// Below the title of a class: one submission, several, median.
+    pub class_line: [&'static str; 3],
     /// Heading of the distribution.
     pub distribution: &'static str,
     /// Below it.

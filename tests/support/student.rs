@@ -219,6 +219,20 @@ impl Program {
         }
     }
 
+    /// Places and speeds that some bugs set after a step.
+    fn set(&self, disc: &mut Disc) {
+        if self.bug == Bug::FloorSticks && disc[1] < self.radius {
+            disc[1] = self.radius;
+        }
+        let speed = disc[2].hypot(disc[3]);
+        let factor = match self.bug {
+            Bug::Sleeps if speed < 0.1 => 0.0,
+            Bug::SpeedLimit if speed > 0.4 => 0.4 / speed,
+            _ => 1.0,
+        };
+        disc[2..].iter_mut().for_each(|v| *v *= factor);
+    }
+
     /// What some bugs do after a step; `held` are discs that do not move, with their steps left.
     fn meddle(&self, discs: &mut [Disc], before: &[Disc], held: &mut Vec<(usize, usize, Disc)>) {
         held.retain_mut(|(i, left, kept)| {
@@ -228,16 +242,7 @@ impl Program {
         });
         for (i, disc) in discs.iter_mut().enumerate() {
             let depth = self.radius - disc[1];
-            if self.bug == Bug::FloorSticks && depth > 0.0 {
-                disc[1] = self.radius;
-            }
-            let speed = disc[2].hypot(disc[3]);
-            let factor = match self.bug {
-                Bug::Sleeps if speed < 0.1 => 0.0,
-                Bug::SpeedLimit if speed > 0.4 => 0.4 / speed,
-                _ => 1.0,
-            };
-            disc[2..].iter_mut().for_each(|v| *v *= factor);
+            self.set(disc);
             let lies = depth > 0.0 && depth < 3.0 * MASS * 9.81 / STIFFNESS && disc[3].abs() < 0.02;
             let is_at_wall = disc[0] < 1.1 * self.radius || disc[0] > SIDE - 1.1 * self.radius;
             let is_touched = |(j, d): (usize, &Disc)| {

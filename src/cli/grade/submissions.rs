@@ -18,8 +18,18 @@ use crate::workshop::{Choice, Workshop, remove_private_folders};
 pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<ExitCode, Failure> {
     rubric.program.seed = arguments.seed.unwrap_or(rubric.program.seed);
     let course = Course::of(rubric).map_err(GradeError::Command)?;
-    let folders: Vec<PathBuf> =
-        arguments.submissions.iter().filter(|path| path.is_dir()).cloned().collect();
+    let (of_a_mac, folders): (Vec<PathBuf>, Vec<PathBuf>) = arguments
+        .submissions
+        .iter()
+        .filter(|path| path.is_dir())
+        .cloned()
+        .partition(|path| is_of_a_mac(path));
+    if let Some(path) = of_a_mac.first() {
+        eprintln!(
+            "note: {} is left out: a Mac puts it into zips, nobody handed it in",
+            path.display()
+        );
+    }
     if let Some(path) = arguments.submissions.iter().find(|path| !path.exists()) {
         return Err(GradeError::NoFolder { path: path.clone() }.into());
     }
@@ -47,6 +57,11 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
     );
     sheets.finish(&entries, true)?;
     Ok(ExitCode::from(exit_code(&entries, arguments.fail_under)))
+}
+
+/// Whether a folder is what a Mac adds to a zip.
+fn is_of_a_mac(folder: &Path) -> bool {
+    folder.file_name().is_some_and(|name| name == "__MACOSX")
 }
 
 /// Whether a folder holds several folders and no files, as that of a whole class does.

@@ -17,6 +17,7 @@ pub struct Interface {
     /// Command that runs it, word by word.
     pub run: Vec<String>,
     /// What it is asked, one after another.
+    #[serde(default)]
     pub case: Vec<Case>,
     /// What is in the file of the probe; see [`Interface::read`].
     #[serde(skip)]
@@ -83,7 +84,7 @@ impl Interface {
             return Some(format!("interface.build or interface.run is empty; as {example}"));
         }
         if self.case.is_empty() {
-            return Some("interface.case is empty; way out: one [[interface.case]]".to_owned());
+            return Some("[interface] has no [[interface.case]]: there is nothing to compare\n  way out: one [[interface.case]] and more, each with name, stdin and expected".to_owned());
         }
         self.case.iter().find_map(Case::refused)
     }

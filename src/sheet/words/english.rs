@@ -40,7 +40,7 @@ pub const ENGLISH: Words = Words {
     ],
     any: "any",
     class_head: ["submission", "%", "looks like"],
-    class_line: ["submissions", "median, %"],
+    class_line: ["submission", "submissions", "median, %"],
     distribution: "How many per cent",
     distribution_caption: "Submissions by per cent of the points that could be judged.",
     mistakes: "What to teach again",
