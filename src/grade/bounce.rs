@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::film::Film;
 use super::flight::{Flights, Run};
-use super::near::WALLS;
+use super::near::{WALLS, Wall};
 use super::rubric::Rubric;
 use super::verdict::{Failure, Status, Verdict};
 use super::words::{Finding, Quantity};
@@ -120,7 +120,7 @@ pub fn verdict(bounces: &[Bounce]) -> Verdict {
         // One in five: a disc that nobody saw may have been met as well.
         Some(worst) if 5 * bad.len() > bounces.len() => {
             let failure = Failure::of(Finding::WallDragsAlong, None);
-            let failure = failure.at(worst.frame, &[worst.disc]);
+            let failure = failure.at(worst.frame, &[worst.disc]).on(Wall::of(worst.wall));
             Status::Failed(failure.with(Quantity::SlipOverSpeed, worst.slip / worst.before))
         }
         _ => Status::Passed,

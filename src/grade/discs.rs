@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::film::Film;
 use super::flight::Flights;
 use super::mistake::Mistake;
-use super::near::WALLS;
+use super::near::{WALLS, Wall};
 use super::rubric::{Law, Rubric};
 use super::verdict::{Failure, Status, Verdict};
 use super::words::{Finding, Quantity};
@@ -139,6 +139,7 @@ pub fn inside(
     let pull = flights.pull;
     let cause = told.or_else(|| outside_cause(film, (i, normal), depth, (limit, pull), rubric));
     let failure = Failure::of(Finding::LeavesTheBox, cause).at(k, &[i]);
+    let failure = failure.on(Wall::with_normal(normal));
     let failure = failure.with(Quantity::DepthOverRadius, depth / radius);
     Status::Failed(failure.with(Quantity::LargestDepthOverRadius, limit / radius))
 }

@@ -9,11 +9,14 @@ use glam::DVec2;
 use super::film::Film;
 use super::flight::Flights;
 use super::mistake::Mistake;
+use super::rubric::Rubric;
 use super::verdict::Failure;
 use super::words::{Finding, Quantity};
 
 /// Pairs whose centre is pushed, and far more than they are pushed apart.
-pub fn run_off(film: &Film, flights: &Flights) -> Option<Failure> {
+pub fn run_off(film: &Film, flights: &Flights, rubric: &Rubric) -> Option<Failure> {
+    // Without the pull nobody can tell a push from a fall.
+    flights.interval(rubric)?;
     let least = 20.0 * (flights.pull.length() + film.usual_blur());
     let bend = |k: usize, i: usize| {
         film.at(k - 1, i) - 2.0 * film.at(k, i) + film.at(k + 1, i) - flights.pull

@@ -142,7 +142,7 @@ impl Default for Rubric {
             restitution_wall: None,
             restitution_pair: None,
             printed_eta: PrintedEta::Forgiven,
-            restitution_tolerance: 0.045,
+            restitution_tolerance: 0.035,
             stiffness_factor: 1.5,
             energy_tolerance: 0.08,
             skipped: Skipped::LostWithoutFrames,

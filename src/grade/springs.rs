@@ -74,7 +74,7 @@ impl Springs {
         is_apart: bool,
         rubric: &Rubric,
     ) -> Status {
-        if let Some(failure) = momentum::run_off(film, flights) {
+        if let Some(failure) = momentum::run_off(film, flights, rubric) {
             return Status::Failed(failure);
         }
         if let Some(status) = self.of_pairs(false, rubric) {

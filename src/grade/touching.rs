@@ -10,7 +10,7 @@ use super::collision::Collision;
 use super::film::Film;
 use super::flight::{Flights, median};
 use super::mistake::Mistake;
-use super::near::WALLS;
+use super::near::{WALLS, Wall};
 use super::rubric::{Law, Rubric};
 use super::stiffness::Stiffness;
 use super::verdict::Failure;
@@ -28,6 +28,8 @@ pub struct Shift {
     pub over_radius: f64,
     /// A frame and the disc.
     pub place: (usize, usize),
+    /// The wall.
+    pub wall: Wall,
 }
 
 impl Shift {
@@ -40,7 +42,7 @@ impl Shift {
     /// The failure of a wall that is elsewhere.
     pub fn failure(&self) -> Failure {
         let failure = Failure::of(Finding::WallShifted, self.cause());
-        let failure = failure.at(self.place.0, &[self.place.1]);
+        let failure = failure.at(self.place.0, &[self.place.1]).on(self.wall);
         failure.with(Quantity::ShiftOverRadius, self.over_radius)
     }
 }
@@ -99,7 +101,7 @@ fn told(film: &Film, some: &[&Bounce], interval: f64, rubric: &Rubric) -> Option
     }
     let (shown, way) = (some[some.len() / 2], median(ways));
     let (over_radius, place) = (way / film.radius(shown.disc), (shown.frame, shown.disc));
-    Some((off, Touching::Shifted(Shift { over_radius, place })))
+    Some((off, Touching::Shifted(Shift { over_radius, place, wall: Wall::of(shown.wall) })))
 }
 
 /// How far beyond the wall a disc touches, if its spring is right, m: there and back in what is left of the

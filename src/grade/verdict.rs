@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use super::check::Check;
 use super::film::Film;
 use super::mistake::Mistake;
+use super::near::Wall;
 use super::rubric::Rubric;
 use super::words::{Finding, Note, Quantity, Words};
 
@@ -23,6 +24,8 @@ pub struct Failure {
     pub frame: Option<usize>,
     /// Discs, from 0, in the order of the rows.
     pub discs: Vec<usize>,
+    /// Wall.
+    pub wall: Option<Wall>,
     /// Numbers.
     pub numbers: Vec<(Quantity, f64)>,
     /// Which mistake it looks like.
@@ -35,13 +38,20 @@ impl Failure {
     /// A failure without a place and numbers.
     pub fn of(finding: Finding, cause: impl Into<Option<Mistake>>) -> Self {
         let cause = cause.into();
-        Self { finding, frame: None, discs: Vec::new(), numbers: Vec::new(), cause, said: None }
+        let (frame, discs, wall) = (None, Vec::new(), None);
+        Self { finding, frame, discs, wall, numbers: Vec::new(), cause, said: None }
     }
 
     /// With the frame and the discs where it is seen.
     pub fn at(mut self, frame: usize, discs: &[usize]) -> Self {
         self.frame = Some(frame);
         self.discs = discs.to_vec();
+        self
+    }
+
+    /// With the wall where it is seen.
+    pub fn on(mut self, wall: Wall) -> Self {
+        self.wall = Some(wall);
         self
     }
 
@@ -352,7 +362,7 @@ impl Report {
             json!({"id": mistake, "looks_like": looks_like, "hint": self.hint(mistake, words)})
         });
         json!({"finding": failure.finding, "what": finding.what, "expected": finding.expected,
-            "frame": failure.frame, "discs": failure.discs, "numbers": numbers, "cause": cause,
+            "frame": failure.frame, "discs": failure.discs, "wall": failure.wall, "numbers": numbers, "cause": cause,
             "said": failure.said})
     }
 }

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::check::Check;
 use super::mistake::Mistake;
+use super::near::Wall;
 
 pub use self::english::ENGLISH;
 
@@ -270,6 +271,8 @@ pub struct Words {
     pub finding: fn(Finding) -> FindingWords,
     /// Of numbers, with units.
     pub quantity: fn(Quantity) -> &'static str,
+    /// Of walls.
+    pub wall: fn(Wall) -> &'static str,
     /// Of notes.
     pub note: fn(Note) -> &'static str,
     /// Of mistakes.

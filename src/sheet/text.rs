@@ -32,6 +32,9 @@ pub fn found(failure: &Failure, words: &Words) -> String {
     for disc in &failure.discs {
         let _ = write!(line, ", {} {disc}", words.discs);
     }
+    if let Some(wall) = failure.wall {
+        let _ = write!(line, ", {}", (words.wall)(wall));
+    }
     line
 }
 

@@ -3,6 +3,7 @@
 use super::{CheckWords, Finding, FindingWords, MistakeWords, Note, Quantity, Words};
 use crate::grade::check::Check;
 use crate::grade::mistake::Mistake;
+use crate::grade::near::Wall;
 
 /// English.
 pub const ENGLISH: Words = Words {
@@ -10,6 +11,7 @@ pub const ENGLISH: Words = Words {
     check,
     finding,
     quantity,
+    wall,
     note,
     mistake,
     case: ["case", "given", "hint of this case"],
@@ -61,12 +63,14 @@ fn check(check: Check) -> CheckWords {
              all discs: exact for every integrator of the course, without knowing the time step. The \
              tolerance is half a unit of the last printed place, over the square of the frames used."),
         Check::WallBounce => ("walls push straight",
-            "From the flights before and after a bounce: the velocity along the wall stays as it was. A bounce \
-             that lasts for many frames shows how stiff the wall is, with the time between frames from gravity."),
+            "From the flights before and after a bounce: the velocity along the wall stays as it was. They tell \
+             when the disc touched and when it parted, too: how long that takes shows how stiff the wall is, and where it \
+             stands, with the time between frames from gravity."),
         Check::PairCollision => ("two discs push each other equally, along their centres",
             "From the flights before and after: the sum of the velocities and the relative angular momentum \
              are the same, whatever the force law. Discs on course for each other must not fly on unmoved, \
-             nor push far more weakly than the rubric's spring."),
+             whichever two they are, nor touch for longer or shorter than the \
+             rubric's spring lets them."),
         Check::RestitutionWall => ("bounces on walls give back the right speed",
             "The median over the bounces on each wall of the speed after over the speed before, at the place of touch."),
         Check::RestitutionPair => ("collisions give back the right speed",
@@ -208,6 +212,15 @@ fn quantity(quantity: Quantity) -> &'static str {
         Quantity::Column => "x, y, r in turn: right if read from column",
         Quantity::CornerX => "left wall of the box in these frames, x, m",
         Quantity::CornerY => "floor of the box in these frames, y, m",
+    }
+}
+
+fn wall(wall: Wall) -> &'static str {
+    match wall {
+        Wall::Left => "left wall",
+        Wall::Right => "right wall",
+        Wall::Floor => "floor",
+        Wall::Ceiling => "ceiling",
     }
 }
 
