@@ -155,6 +155,9 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     report.decide(Check::PairCollision, || springs.pairs(film, meetings, is_apart, rubric));
     judge_energy(report, film, (&flights, &bounces, &collisions), &springs, rubric);
     report.forgive_walls_that_were_shot_through();
+    let is_explained = report.notes.contains(&Note::PrintedEta);
+    let is_little = report.is_little_judged() && !is_explained;
+    report.notes.extend(is_little.then_some(Note::LittleJudged));
     report.nothing_is_seen_out_of_the_box();
 }
 
@@ -180,7 +183,9 @@ fn judge_energy(
     // So does a start or a contact that is wrong to the energy.
     let contacts = [Check::Start, Check::WallBounce, Check::PairCollision];
     let contacts = contacts.iter().chain(&[Check::RestitutionWall, Check::RestitutionPair]);
-    let told = is_told || contacts.into_iter().any(|&check| report.failed(check));
+    // Who comes in by the opposite wall may meet somebody who lies there.
+    let wraps = report.found(Check::Box, Finding::ComesBackOpposite);
+    let told = is_told || wraps || contacts.into_iter().any(|&check| report.failed(check));
     report.decide(Check::Energy, || energy::verdict(film, flights, rubric, &seen, told));
     let told = report.failures().any(|(check, _)| check.is_of_frames());
     let moves = (flights, collisions);

@@ -2,6 +2,7 @@
 #![cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
 
 use std::fs;
+use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
@@ -12,7 +13,7 @@ mod runs;
 #[path = "support/student.rs"]
 mod student;
 
-use handed_in::{can_grade, hand_in, said_of};
+use handed_in::{can_grade, grade, hand_in, said_of};
 use parsim2d::grade::check::Check;
 use parsim2d::grade::rubric::Rubric;
 use parsim2d::grade::verdict::{Report, Status};
@@ -66,6 +67,32 @@ fn files_are_found_however_many_single_folders_were_packed_around_them() {
     // Of two it is not known which is meant.
     hand_in(&handed_in.join("Assignment 3/old"), &[("Makefile", "")]);
     holds(&said_of(&handed_in, ""), &["| missing: Makefile, particle.h, particle.cpp"]);
+}
+
+#[test]
+fn a_tool_that_the_machine_lacks_is_nobodys_mistake_and_can_be_named() {
+    if !can_grade() {
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    // Submissions may have a uid of their own, which has to come in.
+    fs::set_permissions(place.path(), fs::Permissions::from_mode(0o755)).unwrap();
+    let [handed_in, tools] = ["Ada", "tools"].map(|name| place.path().join(name));
+    hand_in(&handed_in, &[("parSim2D", "#!/bin/sh\necho 0 0 1 > out.txt\n"), ("Makefile", "")]);
+    hand_in(&tools.join("bin"), &[("course-make", "#!/bin/sh\necho made > made.txt\n")]);
+    let path = place.path().join("course.toml");
+    fs::write(&path, format!("{RUBRIC}build = 'course-make'\n")).unwrap();
+    let [handed_in, path, tools] =
+        [&handed_in, &path, &tools].map(|path| path.to_str().unwrap().to_owned());
+    let without = grade(&[&handed_in, "--rubric", &path]);
+    assert_eq!(without.status.code(), Some(3));
+    let said = String::from_utf8_lossy(&without.stderr);
+    holds(&said, &["`course-make`", "/usr/bin", "nothing was graded", "--tools FOLDER"]);
+    assert!(without.stdout.is_empty());
+    let with = grade(&[&handed_in, "--rubric", &path, "--tools", &tools]);
+    holds(&String::from_utf8_lossy(&with.stdout), &[":) builds"]);
+    let nowhere = grade(&[&handed_in, "--rubric", &path, "--tools", "nowhere"]);
+    assert_eq!(nowhere.status.code(), Some(2));
 }
 
 #[test]

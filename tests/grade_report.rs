@@ -94,6 +94,24 @@ fn sticky() -> String {
 }
 
 #[test]
+fn full_marks_for_little_are_said_to_be_for_little() {
+    // Three discs that fall and meet nobody: free flight and energy, 5 of 11 points of motion.
+    let frame = |k: usize| -> String {
+        let fall = 4e-6 * (k * k) as f64;
+        (1..4)
+            .map(|i| format!("{} {:.9} 5e-4\n", 0.01 * f64::from(i), 0.03 - fall))
+            .collect::<String>()
+            + "\n"
+    };
+    let film: String = (0..60).map(frame).collect();
+    let report = grade(film.as_bytes(), &elastic());
+    assert_eq!(report.percent(), 100.0, "{:#?}", report.checks);
+    assert!(report.notes.contains(&Note::LittleJudged));
+    let usual = grade(Program::new(Bug::None, 1).output().as_bytes(), &elastic());
+    assert!(!usual.notes.contains(&Note::LittleJudged));
+}
+
+#[test]
 fn the_printed_eta_is_forgiven_with_a_note_unless_the_rubric_says_so() {
     let report = grade(sticky().as_bytes(), &Rubric::default());
     assert_eq!((lost(&report), &report.notes[..]), (vec![], &[Note::PrintedEta][..]));
@@ -102,10 +120,10 @@ fn the_printed_eta_is_forgiven_with_a_note_unless_the_rubric_says_so() {
     let report = grade(sticky().as_bytes(), &strict);
     let expected = (Check::RestitutionWall, Some(Mistake::RestitutionWrong));
     assert_eq!((lost(&report), report.notes.len()), (vec![expected], 0));
-    // Who was asked for it did it right, and needs no note.
+    // Who was asked for it did it right, and needs no note of it (but discs that stay together show little else).
     let asked = Rubric { eta: 1.5e3, ..Rubric::default() };
     let report = grade(sticky().as_bytes(), &asked);
-    assert_eq!((lost(&report), report.notes.len()), (vec![], 0));
+    assert_eq!((lost(&report), &report.notes[..]), (vec![], &[Note::LittleJudged][..]));
 }
 
 #[test]

@@ -56,7 +56,9 @@ fn exchanges(film: &Film) -> Vec<(usize, usize, usize)> {
                 let own = off(i, i).min(off(**j, **j));
                 // Discs that hit each other head-on exchange paths as well, but do not jump to get there.
                 let reach = 2.0 * (way(i, k - 1) + way(**j, k - 1));
-                let is_calm = way(i, k - 1).max(way(**j, k - 1)) < 0.1 * film.side;
+                // Who jumps through the whole box came back at the other side.
+                let is_calm = way(i, k).max(way(**j, k)) < 0.9 * film.side
+                    && way(i, k - 1).max(way(**j, k - 1)) < 0.1 * film.side;
                 let is_jump = is_calm && way(i, k).min(way(**j, k)) > reach;
                 is_jump && off(i, **j).max(off(**j, i)) < 0.1 * own
             };
@@ -113,6 +115,10 @@ pub fn inside(
     told: Option<Mistake>,
     rubric: &Rubric,
 ) -> Verdict {
+    if let Some((k, i, normal)) = wraps(film) {
+        let failure = Failure::of(Finding::ComesBackOpposite, Mistake::WallMissing).at(k, &[i]);
+        return Status::Failed(failure.on(Wall::with_normal(normal)));
+    }
     let mut deepest = (0.0, 0, 0, DVec2::ZERO);
     for i in 0..film.n() {
         let radius = film.radius(i);
@@ -142,6 +148,21 @@ pub fn inside(
     let failure = failure.on(Wall::with_normal(normal));
     let failure = failure.with(Quantity::DepthOverRadius, depth / radius);
     Status::Failed(failure.with(Quantity::LargestDepthOverRadius, limit / radius))
+}
+
+/// A disc that leaves by a wall and comes back by the opposite one: a frame, the disc, the wall's normal.
+fn wraps(film: &Film) -> Option<(usize, usize, DVec2)> {
+    let middle = film.corner + DVec2::splat(0.5 * film.side);
+    let is_at =
+        |k: usize, i: usize, normal: DVec2| (film.at(k, i) - middle).dot(normal) > 0.4 * film.side;
+    let is_wrap = |k: usize, i: usize, normal: DVec2| {
+        let calm = (film.at(k - 1, i) - film.at(k - 2, i)).length() < 0.1 * film.side;
+        let way = (film.at(k, i) - film.at(k - 1, i)).dot(-normal);
+        calm && way > 0.8 * film.side && is_at(k - 1, i, normal) && is_at(k, i, -normal)
+    };
+    let places = (2..film.frames.len()).flat_map(|k| (0..film.n()).map(move |i| (k, i)));
+    let mut all = places.flat_map(|(k, i)| WALLS.map(|(normal, _)| (k, i, normal)));
+    all.find(|&(k, i, normal)| is_wrap(k, i, normal))
 }
 
 /// How deep a right program's disc may sink into a wall, m: v/omega0 and the weight, with a third to

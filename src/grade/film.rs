@@ -111,7 +111,10 @@ impl Film {
         // Whether somebody within the box went farther than this part of it.
         let goes = |k: usize, part: f64| {
             let way = |i: usize| (self.at(k, i) - self.at(k - 1, i)).length();
-            let goes = |i: usize| is_in(k, i) && is_in(k - 1, i) && way(i) > part * self.side;
+            let goes = |i: usize| {
+                // Through the whole box: it came back at the other side.
+                is_in(k, i) && is_in(k - 1, i) && (part..0.9).contains(&(way(i) / self.side))
+            };
             is_whole(k) && is_whole(k - 1) && (0..self.n()).any(goes)
         };
         let frames = self.frames.len();

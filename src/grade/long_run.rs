@@ -100,6 +100,15 @@ fn hanging(film: &Film, rubric: &Rubric, begin: usize) -> Option<(usize, f64)> {
     let top = area / rubric.side / LOOSEST + 4.0 * largest;
     let height = |i: usize, k: usize| film.at(k, i).y - rubric.corner[1] - film.radius(i);
     let least = |i| (begin..film.frames.len()).map(|k| height(i, k)).fold(f64::MAX, f64::min);
-    let all = (0..film.n()).map(|i| (i, least(i)));
+    // Columns of discs that were placed one above the other may stand.
+    let last = film.frames.len() - 1;
+    let is_held = |i: usize| {
+        let lies_on = |j: usize| {
+            let way = film.at(last, i) - film.at(last, j);
+            j != i && way.y > 0.0 && way.length() < 1.05 * (film.radius(i) + film.radius(j))
+        };
+        (0..film.n()).any(lies_on)
+    };
+    let all = (0..film.n()).filter(|&i| !is_held(i)).map(|i| (i, least(i)));
     all.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, height)| *height > top)
 }

@@ -27,11 +27,13 @@ pub enum Skipped {
 }
 
 impl Skipped {
-    /// Whether the points of a check that hangs on the failed `root` are lost.
-    pub fn is_lost(self, root: Check) -> bool {
+    /// Whether the points of `check`, which hangs on the failed `root`, are lost.
+    pub fn is_lost(self, check: Check, root: Check) -> bool {
         match self {
-            // Nothing hangs on the box but what nobody could see.
-            Self::LostWithoutFrames => root <= Check::Frames || root == Check::Box,
+            // No motion hangs on the box but what nobody could see.
+            Self::LostWithoutFrames => {
+                root <= Check::Frames || root == Check::Box && check.is_of_motion()
+            }
             Self::LeftOut => false,
             Self::Lost => true,
         }

@@ -52,6 +52,10 @@ impl Springs {
             (None, None) => bounce::verdict(bounces),
             _ if is_told => Status::NotSeen,
             (Some(shift), _) => Status::Failed(shift.failure()),
+            // A spring so soft would have let discs in: something else keeps them there.
+            (_, Some(wall)) if wall.ratio < 0.1 => {
+                Status::Failed(wall.failure(Mistake::SticksToWall))
+            }
             (_, Some(wall)) => Status::Failed(wall.failure(wall.cause(rubric))),
         }
     }

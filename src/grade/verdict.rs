@@ -165,6 +165,15 @@ impl Report {
         }
     }
 
+    /// Whether nothing is known to be wrong, and less than half of the points of motion were decided.
+    pub fn is_little_judged(&self) -> bool {
+        let motion = Check::ALL.into_iter().filter(|c| c.is_of_motion() && *c != Check::LongRun);
+        let all: f64 = motion.clone().map(|check| self.points_of(check)).sum();
+        let seen = motion.filter(|&check| self.passed(check));
+        let seen: f64 = seen.map(|check| self.points_of(check)).sum();
+        self.failures().next().is_none() && 2.0 * seen < all
+    }
+
     /// Discs that leave the box before anything is seen of how they move have shown nothing of it: its points are
     /// lost with the box.
     pub fn nothing_is_seen_out_of_the_box(&mut self) {
@@ -226,6 +235,11 @@ impl Report {
         matches!(self.status(check), Some(Status::Failed(why)) if why.cause == Some(mistake))
     }
 
+    /// Whether a check failed with this finding.
+    pub fn found(&self, check: Check, finding: Finding) -> bool {
+        matches!(self.status(check), Some(Status::Failed(why)) if why.finding == finding)
+    }
+
     /// Whether what a check hangs on was passed or not seen.
     pub fn is_asked_for(&self, check: Check) -> bool {
         let needed = check.needs().and_then(|needed| self.status(needed));
@@ -256,7 +270,7 @@ impl Report {
                 let left = self.rubric.part_left(failure.cause);
                 (left * points, (1.0 - left) * points)
             }
-            Status::Skipped(root) if self.rubric.skipped.is_lost(*root) => (0.0, points),
+            Status::Skipped(root) if self.rubric.skipped.is_lost(check, *root) => (0.0, points),
             Status::Skipped(_) | Status::NotSeen => (0.0, 0.0),
         }
     }

@@ -79,6 +79,8 @@ pub enum Finding {
     RadiusChanges,
     /// A disc too far beyond a wall.
     LeavesTheBox,
+    /// A disc that leaves by a wall and comes in by the opposite one.
+    ComesBackOpposite,
     /// A disc in a wall at the start.
     StartsInWall,
     /// Two discs overlap at the start.
@@ -131,6 +133,8 @@ pub enum Note {
     ProgramNotRebuilt,
     /// The program asks for more on its standard input than there is.
     AsksForInput,
+    /// Less than half of what is asked of motion could be judged.
+    LittleJudged,
 }
 
 /// What a number of a failure is.

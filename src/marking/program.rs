@@ -19,6 +19,11 @@ pub struct Course {
 }
 
 impl Course {
+    /// The programs that its commands begin with, to build and to run.
+    pub fn tools(&self) -> impl Iterator<Item = &String> {
+        self.build.first().into_iter().chain(self.run.first())
+    }
+
     /// The course of a rubric.
     ///
     /// Fails where a command has a quotation mark without its other half.

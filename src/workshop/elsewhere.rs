@@ -43,6 +43,16 @@ impl Workshop {
         match self.0 {}
     }
 
+    /// Whether submissions find this program.
+    pub fn finds(&self, _: &str) -> bool {
+        match self.0 {}
+    }
+
+    /// Where programs are looked for inside.
+    pub fn path(&self) -> Vec<PathBuf> {
+        match self.0 {}
+    }
+
     /// Whether every frame is seen.
     pub fn is_traced(&self) -> bool {
         match self.0 {}

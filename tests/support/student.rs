@@ -56,6 +56,8 @@ pub enum Bug {
     WallFurther,
     /// eta is 0.
     NoDashpot,
+    /// Who leaves at a side comes in at the other.
+    Periodic,
     /// Steps move copies.
     MovesCopies,
     /// The first disc that touches the left wall 8 mm and more over the floor stays there.
@@ -119,6 +121,17 @@ impl Program {
         discs
     }
 
+    /// What becomes of a wall's push along an axis.
+    fn at_wall(&self, push: f64, axis: usize) -> f64 {
+        match self.bug {
+            Bug::WallMissing => 0.0,
+            Bug::Periodic if axis == 0 => 0.0,
+            Bug::InwardWallNormal => -push,
+            Bug::ForceOverWrongMass => MASS * push,
+            _ => push,
+        }
+    }
+
     fn forces(&self, discs: &[Disc]) -> Vec<[f64; 2]> {
         let g = match self.bug {
             Bug::GravitySign => [0.0, 9.81],
@@ -146,12 +159,7 @@ impl Program {
                 let eta = if self.bug == Bug::DashpotAtFloorOnly && is_floor { 1.0 } else { eta };
                 let push = -stiffness * depth * sign - eta * disc[axis + 2];
                 if depth > 0.0 {
-                    force[axis] += match self.bug {
-                        Bug::WallMissing => 0.0,
-                        Bug::InwardWallNormal => -push,
-                        Bug::ForceOverWrongMass => MASS * push,
-                        _ => push,
-                    };
+                    force[axis] += self.at_wall(push, axis);
                 }
             }
             if self.bug == Bug::Friction {
@@ -223,6 +231,9 @@ impl Program {
     fn set(&self, disc: &mut Disc) {
         if self.bug == Bug::FloorSticks && disc[1] < self.radius {
             disc[1] = self.radius;
+        }
+        if self.bug == Bug::Periodic {
+            disc[0] = disc[0].rem_euclid(SIDE);
         }
         let speed = disc[2].hypot(disc[3]);
         let factor = match self.bug {

@@ -20,6 +20,9 @@ pub(in crate::cli) struct GradeArguments {
     /// Build and run with limits alone where no sandbox works: student code can then read your files
     #[arg(long, requires = "submissions")]
     pub allow_unsandboxed: bool,
+    /// A folder that submissions may read, for tools outside /usr; programs are looked for in its `bin`
+    #[arg(long, value_name = "FOLDER", requires = "submissions", value_parser = folder)]
+    pub tools: Vec<PathBuf>,
     /// Folders with a submission.toml that says what is wrong with them: does the grader find it?
     #[arg(long, requires = "submissions", conflicts_with = "rubric")]
     pub proof: bool,
@@ -138,4 +141,10 @@ fn percent(text: &str) -> Result<f64, String> {
         true => Ok(value),
         false => Err("per cent, 0 to 100".to_owned()),
     }
+}
+
+/// A folder that is there, by its whole name: inside the sandbox `.` is another one.
+fn folder(text: &str) -> Result<PathBuf, String> {
+    let whole = std::fs::canonicalize(text).map_err(|why| why.to_string())?;
+    if whole.is_dir() { Ok(whole) } else { Err("it is no folder".to_owned()) }
 }

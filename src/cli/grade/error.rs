@@ -44,6 +44,11 @@ pub(in crate::cli) enum GradeError {
         path.display(), "not now:", others = listed(others)
     )]
     OtherClass { path: PathBuf, others: Vec<String> },
+    #[error(
+        "submissions cannot use `{program}`, which the rubric asks for: there is none in {path}; nothing was graded\n  \
+         way out: install it for all users, or --tools FOLDER (for Rust of rustup: --tools \"$(rustc --print sysroot)\"; as root, one that others may enter)"
+    )]
+    NoTool { program: String, path: String },
     #[error("{key}={value} is not a number\n  way out: leave it out, or set what VPL sets")]
     Scale { key: &'static str, value: String },
 }
@@ -76,7 +81,7 @@ impl GradeError {
     /// 3 where the machine is at fault, 2 for bad usage.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Closed(_) => 3,
+            Self::Closed(_) | Self::NoTool { .. } => 3,
             _ => 2,
         }
     }

@@ -44,6 +44,7 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
         );
     }
     let workshop = open(arguments)?;
+    needs_tools(&workshop, &course)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
     let sheets = Sheets::open(&arguments.sheets, &names)?;
     let marker = Marker { workshop: &workshop, course: &course };
@@ -57,6 +58,15 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
     );
     sheets.finish(&entries, true)?;
     Ok(ExitCode::from(exit_code(&entries, arguments.fail_under)))
+}
+
+/// What the machine lacks is no mistake of a student's.
+fn needs_tools(workshop: &Workshop, course: &Course) -> Result<(), GradeError> {
+    let Some(program) = course.tools().find(|program| !workshop.finds(program)) else {
+        return Ok(());
+    };
+    let path: Vec<String> = workshop.path().iter().map(|path| path.display().to_string()).collect();
+    Err(GradeError::NoTool { program: program.clone(), path: path.join(", ") })
 }
 
 /// Whether a folder is what a Mac adds to a zip.
@@ -73,7 +83,8 @@ fn is_class(folder: &Path) -> bool {
 
 /// The workshop, with a word on what it is.
 pub(super) fn open(arguments: &GradeArguments) -> Result<Workshop, GradeError> {
-    let choice = Choice { allow_unsandboxed: arguments.allow_unsandboxed, ..Choice::default() };
+    let (allow_unsandboxed, readable) = (arguments.allow_unsandboxed, arguments.tools.clone());
+    let choice = Choice { allow_unsandboxed, readable, ..Choice::default() };
     let workshop = Workshop::open(&choice).map_err(GradeError::Closed)?;
     // Unheeded, a signal would leave copies of submissions behind.
     heed(|| {

@@ -136,6 +136,7 @@ fn finding(finding: Finding) -> FindingWords {
         Finding::BoxShifted => ("the box of these frames is not where the assignment has it", "the lower left corner of the assignment's box"),
         Finding::RadiusChanges => ("a radius changes", "the same radius in every frame"),
         Finding::LeavesTheBox => ("a disc goes further into a wall than its spring lets it", "at most the depth at which the wall's spring has stopped it"),
+        Finding::ComesBackOpposite => ("a disc leaves by a wall and comes back by the opposite one", "walls that push discs back"),
         Finding::StartsInWall => ("a disc begins in a wall or outside", "centres at least a radius from every wall"),
         Finding::StartsOverlapping => ("two discs overlap at the start", "centres at least the sum of radii apart"),
         Finding::WrongPull => ("discs that meet nobody do not fall as they should", "one constant second difference, (0, -c) with c > 0"),
@@ -235,6 +236,10 @@ fn note(note: Note) -> &'static str {
             "the program that ran was handed in as it is: the build found it newer than the sources, or makes another, \
              and did not make it anew. Whether the sources do the same was not seen."
         }
+        Note::LittleJudged => {
+            "less than half of what is asked of motion could be judged, and the percentage is of that part: more discs, \
+             larger ones, speeds at the start or more frames would show more."
+        }
         Note::AsksForInput => {
             "the program asks for more on its standard input than the course gives it, and got nothing."
         }
@@ -283,17 +288,17 @@ fn mistake(mistake: Mistake) -> MistakeWords {
         Mistake::GravityMissing => ("no gravity", "list the forces on a disc that touches nobody"),
         Mistake::GravitySideways => ("gravity along another axis", "which component does gravity belong to?"),
         Mistake::FrictionInFlight => ("something that brakes free discs", "which force acts although nothing is touched, and on which velocity does it hang?"),
-        Mistake::TimeStepNotConstant => ("frames that are not equally far apart in time", "how many steps lie between two frames, and is each step as long as the others?"),
+        Mistake::TimeStepNotConstant => ("frames that are not equally far apart in time", "how many steps lie between two frames, and is each step as long as the others? If they are: which line changes all velocities at once?"),
         Mistake::ForceOnOneDiscOnly => ("a force that one disc feels and its partner does not", "what does Newton's third law say about the second disc?"),
         Mistake::ContactAtOneRadius => ("a contact that begins only when centres are a radius apart", "two discs touch: how far apart are their centres?"),
-        Mistake::Tunnelling => ("contacts that are never noticed, or pushes far too small", "how far does a disc go in one step, compared to its radius? what length has your normal?"),
+        Mistake::Tunnelling => ("contacts that are never noticed, or pushes far too small", "which pairs do your loops go through, in every step? how far does a disc go in one, compared to its radius? what length has your normal?"),
         Mistake::ExplicitEuler => ("a position that is updated with the old velocity", "in Eq. (3), which velocity moves the disc, and is it there already when you use it?"),
         Mistake::DampingSign => ("a dashpot that pushes where it should brake", "two discs come nearer: which sign has v_rn then, and which way should the dashpot act? If that is right: which velocity moves the disc in Eq. (3)?"),
         Mistake::EnergyPump => ("something that makes energy", "follow one disc through one contact: how much work is done on the way in, how much on the way out?"),
         Mistake::NothingMoves => ("positions that are never changed, or copies that are moved and thrown away", "after one step, print a disc's velocity and its position: which of them changed, and in which variable?"),
         Mistake::WallElsewhere => ("a wall at another place than the box's", "where does your wall begin to push, in m, and how wide is the box of the assignment?"),
         Mistake::ForcesNotReset => ("forces that are added to those of the step before", "what is a disc's force at the beginning of the second step, before anything is added?"),
-        Mistake::StiffnessWrong => ("another k_n, mass or gravity than the assignment's", "compare k_n, m and g in your program with the assignment's, with their powers of ten; which forces are divided by the mass?"),
+        Mistake::StiffnessWrong => ("another k_n, mass or gravity than the assignment's", "compare k_n, m and g in your program with the assignment's, with their powers of ten; which forces are divided by the mass, and how is the overlap computed?"),
         Mistake::ReactionSign => ("a reaction that points the same way as the action", "two discs meet: which way is each pushed, and which sign has the normal for each?"),
         Mistake::PairsLeftOut => ("pairs of discs that are never looked at", "write down for 4 discs which pairs your loops go through: are there 6?"),
         Mistake::SticksToWall => ("a wall that takes all speed, by setting a place or a velocity", "beside the forces, which line changes a position or a velocity at a wall?"),

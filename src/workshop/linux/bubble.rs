@@ -21,11 +21,12 @@ pub(super) fn arguments(folder: &Path, scratch: &Path, readable: &[PathBuf]) -> 
             _ => words.with("--ro-bind-try", &[Path::new(path), Path::new(path)]),
         }
     }
+    words.add("--proc /proc --dev /dev --remount-ro /dev");
+    words.with("--bind", &[scratch, Path::new("/tmp")]);
+    // After what would hide them.
     for path in readable {
         words.with("--ro-bind", &[path, path]);
     }
-    words.add("--proc /proc --dev /dev --remount-ro /dev");
-    words.with("--bind", &[scratch, Path::new("/tmp")]);
     words.with("--bind", &[folder, Path::new(INSIDE)]);
     words.add("--remount-ro / --chdir /box");
     words.0

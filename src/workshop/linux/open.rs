@@ -44,7 +44,10 @@ impl Workshop {
             None => std::env::current_exe().map_err(Closed::broken("find its own program"))?,
         };
         let is_traced = !choice.untraced && can_trace(&helper);
-        let readable = choice.readable.clone();
+        // Started by root, submissions have a uid that cannot enter every folder.
+        let is_root = geteuid().is_root();
+        let can_be_read = |folder: &&PathBuf| !is_root || is_open_to_all(folder);
+        let readable = choice.readable.iter().filter(can_be_read).cloned().collect();
         let mut workshop = Self { tier: Tier::A, refused: Vec::new(), helper, readable, is_traced };
         for tier in
             Tier::ALL.into_iter().filter(|tier| choice.tier.is_none_or(|wanted| wanted == *tier))
@@ -72,6 +75,20 @@ impl Workshop {
     /// Whether every frame is seen (by ptrace); otherwise frames may be missed.
     pub fn is_traced(&self) -> bool {
         self.is_traced
+    }
+
+    /// Whether submissions find this program, the first word of a command. Programs of their own begin with `./`.
+    pub fn finds(&self, program: &str) -> bool {
+        program.contains('/') || self.path().iter().any(|folder| folder.join(program).is_file())
+    }
+
+    /// Where programs are looked for inside: the system's folders, then those that may be read.
+    pub fn path(&self) -> Vec<PathBuf> {
+        let own = self.readable.iter().map(|folder| {
+            let bin = folder.join("bin");
+            if bin.is_dir() { bin } else { folder.clone() }
+        });
+        PATH.iter().map(PathBuf::from).chain(own).collect()
     }
 
     pub(super) fn helper(&self) -> &Path {
@@ -147,7 +164,9 @@ impl Workshop {
             Tier::A => (bubble::INSIDE.into(), "/tmp".into()),
             _ => (work.to_string_lossy(), scratch.to_string_lossy()),
         };
-        let path = PATH.join(":");
+        let path = self.path();
+        let path: Vec<_> = path.iter().map(|folder| folder.to_string_lossy()).collect();
+        let path = path.join(":");
         let environment = [
             ("PATH", &*path),
             ("HOME", &home),
@@ -216,4 +235,10 @@ fn unused_uid() -> Option<u32> {
     let start = std::process::id().wrapping_mul(97);
     let uid = |_| UIDS.start + start.wrapping_add(NEXT.fetch_add(1, Ordering::Relaxed)) % count;
     (0..count).map(uid).find(|uid| !used.contains(uid) && Uid::from_raw(*uid) != geteuid())
+}
+
+/// Whether anybody may enter a folder and all those it lies in.
+fn is_open_to_all(folder: &Path) -> bool {
+    let enters = |folder: &Path| fs::metadata(folder).is_ok_and(|found| found.mode() & 1 == 1);
+    folder.ancestors().all(enters)
 }
