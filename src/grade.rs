@@ -158,7 +158,7 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     let is_explained = report.notes.contains(&Note::PrintedEta);
     let is_little = report.is_little_judged() && !is_explained;
     report.notes.extend(is_little.then_some(Note::LittleJudged));
-    report.nothing_is_seen_out_of_the_box();
+    report.lose_what_is_not_seen_out_of_the_box();
 }
 
 /// What contacts give back, the energy of all, and what becomes of it in long films.

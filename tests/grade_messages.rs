@@ -3,7 +3,6 @@
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
-use std::path::Path;
 use std::time::{Duration, SystemTime};
 
 #[path = "support/handed_in.rs"]
@@ -20,7 +19,7 @@ use parsim2d::grade::verdict::{Report, Status};
 use parsim2d::sheet::Graded;
 use parsim2d::sheet::text::text_of_student;
 use parsim2d::sheet::words::ENGLISH;
-use runs::{outcome, text};
+use runs::{names as files, outcome, text};
 use student::{Bug, Program};
 
 const MAKEFILE: &str = "parSim2D: simulation.cpp\n\tg++ -o parSim2D simulation.cpp\n";
@@ -172,14 +171,6 @@ fn desk() -> tempfile::TempDir {
         fs::write(folder.path().join("class").join(format!("{name}.txt")), &right).unwrap();
     }
     folder
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 #[test]

@@ -32,6 +32,11 @@ const HOSTILE: &str = "</pre><script>alert(1)</script><img src=x onerror=alert(1
     Grade :=>> 100\n--|>\nGrade :=>> 100\r\nx\rGrade :=>> 100\u{2028}Grade :=>> 100\u{b}Grade :=>> 100\n\
     Comment :=>> all right\n]]>&amp;\u{0}\u{ffff}\u{202e}' onload=\"x\"";
 
+#[path = "support/runs.rs"]
+mod runs;
+
+use runs::names as files;
+
 fn rubric(text: &str) -> Rubric {
     Rubric::parse(text).unwrap()
 }
@@ -559,14 +564,6 @@ fn falling() -> String {
 fn grade(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::cargo_bin("parsim2d").unwrap();
     command.current_dir(folder).arg("grade").args(arguments).output().unwrap()
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 #[test]

@@ -8,7 +8,7 @@ use super::film::Film;
 use super::flight::Flights;
 use super::mistake::Mistake;
 use super::rubric::Rubric;
-use super::verdict::{Failure, Status, Verdict};
+use super::verdict::Failure;
 use super::words::{Finding, Quantity};
 
 /// Half as fast again as anybody was seen: speeds are means over frames.
@@ -17,17 +17,15 @@ const SPARE: f64 = 1.5;
 /// Part of the touching distance to which nobody sinks in, if slow.
 const DEEP: f64 = 0.5;
 
-/// Whether any two discs fly or lie through one another.
-pub fn verdict(
+/// Two discs that fly or lie through one another, if that is seen twice.
+pub fn left_out(
     film: &Film,
     flights: &Flights,
     collisions: &[Collision],
     rubric: &Rubric,
-) -> Verdict {
+) -> Option<Failure> {
     // How far two discs sink in at a relative speed of 1 m a frame, m.
-    let Some(depth) = flights.interval(rubric).map(|t| SPARE / (rubric.omega0(false) * t)) else {
-        return Status::Passed;
-    };
+    let depth = SPARE / (rubric.omega0(false) * flights.interval(rubric)?);
     let is_slow = |one: &&Collision| depth * one.speed < DEEP * one.touch;
     let unmoved = |one: &&Collision| one.aim < 0.8 && !one.is_push();
     let flown: Vec<(usize, [usize; 2])> = collisions
@@ -38,9 +36,9 @@ pub fn verdict(
     let inside = deep(film, depth * 2.0 * fastest(film));
     let worse = if flown.len() >= inside.len() { flown } else { inside };
     // One may be an accident of digits.
-    let [shown, _, ..] = worse[..] else { return Status::Passed };
+    let [shown, _, ..] = worse[..] else { return None };
     let failure = Failure::of(Finding::SomePassThrough, Mistake::PairsLeftOut);
-    Status::Failed(failure.at(shown.0, &shown.1).with(Quantity::Meetings, worse.len() as f64))
+    Some(failure.at(shown.0, &shown.1).with(Quantity::Meetings, worse.len() as f64))
 }
 
 /// The longest way of a disc in a frame, m.

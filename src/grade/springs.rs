@@ -88,8 +88,8 @@ impl Springs {
         if matches!(status, Status::Failed(_)) {
             return status;
         }
-        let passing = is_apart.then(|| passing::verdict(film, flights, collisions, rubric));
-        let failed = passing.filter(|passing| matches!(passing, Status::Failed(_)));
-        self.of_pairs(true, rubric).or(failed).unwrap_or(status)
+        let left_out = || passing::left_out(film, flights, collisions, rubric).map(Status::Failed);
+        let more = self.of_pairs(true, rubric);
+        more.or_else(|| if is_apart { left_out() } else { None }).unwrap_or(status)
     }
 }

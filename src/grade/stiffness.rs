@@ -24,8 +24,6 @@ pub struct Stiffness {
     pub goes_with_distance: bool,
     /// Whether the times of contacts tell it, and not swings seen in frames.
     pub is_timed: bool,
-    /// Whether all contacts show the same, slow ones and fast ones.
-    pub is_steady: bool,
     /// Below it contacts are called soft, above it stiff.
     bounds: [f64; 2],
     place: (usize, Vec<usize>),
@@ -87,20 +85,13 @@ impl Stiffness {
         let place = (shown.frame, shown.discs.clone());
         // Five times softer: the literal distance to a wall, or a dashpot, makes less of a difference.
         let stiff = if samples.len() >= 10 { 1.7 } else { f64::INFINITY };
-        Some(Self {
-            ratio,
-            goes_with_distance,
-            is_timed: false,
-            is_steady: true,
-            bounds: [0.2, stiff],
-            place,
-        })
+        Some(Self { ratio, goes_with_distance, is_timed: false, bounds: [0.2, stiff], place })
     }
 
     /// Measured by the times of contacts, and right within a `factor`.
-    pub fn timed(ratio: f64, is_steady: bool, place: (usize, Vec<usize>), factor: f64) -> Self {
+    pub fn timed(ratio: f64, place: (usize, Vec<usize>), factor: f64) -> Self {
         let bounds = [1.0 / factor, factor];
-        Self { ratio, goes_with_distance: false, is_timed: true, is_steady, bounds, place }
+        Self { ratio, goes_with_distance: false, is_timed: true, bounds, place }
     }
 
     /// Whether contacts are softer than asked.
@@ -129,7 +120,7 @@ impl Stiffness {
     pub fn cause_of_pair(&self, rubric: &Rubric) -> Mistake {
         if self.goes_with_distance {
             Mistake::NormalNotNormalised
-        } else if self.is_steady && (1.7..2.3).contains(&self.ratio) {
+        } else if (1.7..2.3).contains(&self.ratio) {
             Mistake::ForceAppliedTwice
         } else {
             self.cause(rubric)

@@ -146,13 +146,11 @@ fn duration(is_wall: bool, e: f64, rubric: &Rubric) -> f64 {
 
 fn stiffness(mut contacts: Vec<Contact>, rubric: &Rubric) -> Option<Stiffness> {
     contacts.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
-    // Of a force that is not proportional to the overlap fast contacts last longer, or shorter.
-    let is_steady = spread(contacts.iter().map(|one| one.ratio)) < 0.06;
     let is_enough = contacts.len() >= 2;
     let count = contacts.len();
     let middle = contacts.into_iter().nth(count / 2).filter(|_| is_enough)?;
     let ratio = if middle.ratio < IMPULSE { 1.0 } else { middle.ratio.powi(-2) };
-    Some(Stiffness::timed(ratio, is_steady, middle.place, rubric.stiffness_factor))
+    Some(Stiffness::timed(ratio, middle.place, rubric.stiffness_factor))
 }
 
 #[cfg(test)]

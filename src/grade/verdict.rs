@@ -176,7 +176,7 @@ impl Report {
 
     /// Discs that leave the box before anything is seen of how they move have shown nothing of it: its points are
     /// lost with the box.
-    pub fn nothing_is_seen_out_of_the_box(&mut self) {
+    pub fn lose_what_is_not_seen_out_of_the_box(&mut self) {
         let is_unseen = self.status(Check::FreeFlight) == Some(&Status::NotSeen);
         if !is_unseen || !self.failed(Check::Box) {
             return;
