@@ -32,13 +32,13 @@ hash-matrix: $(EXEC)    # same bits on 1 to 8 threads, for dev and release build
 	sh tests/hash_matrix.sh $(TARGET)/debug/parsim2d ./$(EXEC)
 
 kill-test:              # 200 kills with SIGKILL at random moments; each run must end with the same bytes
-	PARSIM2D_KILLS=200 $(CARGO) test --test restart killed -- --nocapture
+	PARSIM2D_KILLS=200 $(CARGO) test --test all restart::killed -- --nocapture
 
 corruption-test:        # 10,000 damaged checkpoints, none may be accepted
-	PARSIM2D_CORRUPTIONS=10000 $(CARGO) test --test checkpoint_file -- --nocapture
+	PARSIM2D_CORRUPTIONS=10000 $(CARGO) test --test all checkpoint_file:: -- --nocapture
 
 proof:                  # the grader against 106 programs of which it is known what is wrong; right ones with 5 seeds
-	PARSIM2D_PROOF=all $(CARGO) test --test grade_submissions -- --nocapture
+	PARSIM2D_PROOF=all $(CARGO) test --test all grade_submissions:: -- --nocapture
 
 disk-full-test: $(EXEC) # a tmpfs that fills up during output and during a checkpoint; wants root
 	sh tests/disk_full.sh $(CURDIR)/$(EXEC)

@@ -1,8 +1,9 @@
 //! How long the parts of a step take on a dense bed: the pass over the contacts, and making the list
-//! of near pairs. `cargo bench`; times are those of a pass, and the counter is per disc.
+//! of near pairs. `cargo bench`; each line is the median of some hundred passes, and the time of a disc.
 
-use divan::counter::ItemsCount;
-use divan::{Bencher, black_box};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
 use glam::DVec2;
 use parsim2d::crowd::Crowd;
 use parsim2d::discs::Discs;
@@ -22,7 +23,30 @@ const RADIUS: f64 = 5e-4;
 const MASS: f64 = 1e-3;
 
 fn main() {
-    divan::main();
+    println!("{:<32} {:>8} {:>14} {:>10}", "what", "discs", "a pass, us", "a disc, ns");
+    for n in SIZES {
+        contact_pass(n);
+        crowd_contact_pass(n);
+        crowd_contact_pass_with_ledger(n);
+        crowd_step(n);
+        crowd_from_nothing(n);
+        list_build(n);
+    }
+}
+
+/// Does `pass` for a second, at least five times, and prints the median; what `prepare` does is not timed.
+fn report<T>(what: &str, n: usize, mut prepare: impl FnMut() -> T, mut pass: impl FnMut(&mut T)) {
+    let begun = Instant::now();
+    let mut times = Vec::new();
+    while times.len() < 5 || begun.elapsed() < Duration::from_secs(1) {
+        let mut prepared = prepare();
+        let start = Instant::now();
+        pass(&mut prepared);
+        times.push(start.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    let median = times[times.len() / 2];
+    println!("{what:<32} {n:>8} {:>14.1} {:>10.2}", 1e6 * median, 1e9 * median / n as f64);
 }
 
 /// Staggered rows, as wide as high, all neighbours overlapping by one per cent: six contacts a disc.
@@ -45,13 +69,10 @@ fn contacts() -> Contacts<SpringDashpot> {
 }
 
 /// Every contact found, computed and given to both discs; the list is there already.
-#[divan::bench(args = SIZES)]
-fn contact_pass(bencher: Bencher, n: usize) {
+fn contact_pass(n: usize) {
     let (mut particles, mut contacts, mut tally) = (bed(n), contacts(), Tally::default());
     contacts.apply(&mut particles, &mut tally);
-    bencher
-        .counter(ItemsCount::new(n))
-        .bench_local(|| contacts.apply(black_box(&mut particles), &mut tally));
+    report("contact_pass", n, || (), |()| contacts.apply(black_box(&mut particles), &mut tally));
 }
 
 fn crowd(particles: Vec<Particle>, has_ledger: bool) -> Crowd<SpringDashpot> {
@@ -64,43 +85,36 @@ fn crowd(particles: Vec<Particle>, has_ledger: bool) -> Crowd<SpringDashpot> {
 }
 
 /// The same as [`contact_pass`] by a crowd on one thread.
-#[divan::bench(args = SIZES)]
-fn crowd_contact_pass(bencher: Bencher, n: usize) {
+fn crowd_contact_pass(n: usize) {
     let mut crowd = crowd(bed(n), false);
-    bencher.counter(ItemsCount::new(n)).bench_local(|| crowd.update_forces());
+    report("crowd_contact_pass", n, || (), |()| crowd.update_forces());
 }
 
 /// The same with the springs' share told apart, for the ledger.
-#[divan::bench(args = SIZES)]
-fn crowd_contact_pass_with_ledger(bencher: Bencher, n: usize) {
+fn crowd_contact_pass_with_ledger(n: usize) {
     let mut crowd = crowd(bed(n), true);
-    bencher.counter(ItemsCount::new(n)).bench_local(|| crowd.update_forces());
+    report("crowd_contact_pass_with_ledger", n, || (), |()| crowd.update_forces());
 }
 
 /// A whole step of a crowd on one thread, with its ledger. The bed hangs in the void and wobbles.
-#[divan::bench(args = SIZES)]
-fn crowd_step(bencher: Bencher, n: usize) {
+fn crowd_step(n: usize) {
     let mut crowd = crowd(bed(n), true);
-    bencher.counter(ItemsCount::new(n)).bench_local(|| SymplecticEuler.step(&mut crowd, DT));
+    report("crowd_step", n, || (), |()| SymplecticEuler.step(&mut crowd, DT));
 }
 
 /// A crowd from nothing: cells, list of near pairs, first forces.
-#[divan::bench(args = SIZES)]
-fn crowd_from_nothing(bencher: Bencher, n: usize) {
+fn crowd_from_nothing(n: usize) {
     let particles = bed(n);
-    bencher
-        .counter(ItemsCount::new(n))
-        .with_inputs(|| particles.clone())
-        .bench_local_values(|particles| crowd(particles, false));
+    let begin = || Some(particles.clone());
+    report("crowd_from_nothing", n, begin, |discs| {
+        black_box(crowd(discs.take().expect("prepared"), false));
+    });
 }
 
 /// A list of near pairs from nothing.
-#[divan::bench(args = SIZES)]
-fn list_build(bencher: Bencher, n: usize) {
+fn list_build(n: usize) {
     let particles = bed(n);
-    bencher.counter(ItemsCount::new(n)).with_inputs(Neighbours::default).bench_local_refs(
-        |neighbours| {
-            neighbours.refresh(black_box(&particles));
-        },
-    );
+    report("list_build", n, Neighbours::default, |neighbours| {
+        neighbours.refresh(black_box(&particles));
+    });
 }

@@ -2,8 +2,7 @@
 //! against theory, silence where theory has nothing to say.
 #![allow(clippy::too_many_lines)] // tables of cases
 
-mod support;
-
+use crate::support::{MASS, STIFFNESS};
 use assert_cmd::Command;
 use parsim2d::analysis::answer::{Answer, AnswerRow, Question};
 use parsim2d::analysis::bounce::Touch;
@@ -12,7 +11,6 @@ use parsim2d::analysis::collision::{
 };
 use parsim2d::scenario::{DiscSource, Scenario, StepChoice};
 use serde_json::Value;
-use support::{MASS, STIFFNESS};
 
 fn touch(zeta: f64, speed: f64, push: f64, end: ContactEnd) -> Touch {
     let eta = 2.0 * zeta * (STIFFNESS * MASS).sqrt();

@@ -1,9 +1,7 @@
 //! The file of a checkpoint: what it holds comes back with every bit, and nothing damaged is believed.
 //!
-//! `PARSIM2D_CORRUPTIONS=10000 cargo test --test checkpoint_file` tries as many; `make corruption-test`
+//! `PARSIM2D_CORRUPTIONS=10000 cargo test checkpoint_file::` tries as many; `make corruption-test`
 //! does.
-
-mod support;
 
 use parsim2d::output::checkpoint::container::{self, Content, Flaw, Section};
 use parsim2d::output::checkpoint::{self, Checkpoint, Progress};
@@ -188,7 +186,7 @@ fn a_file_written_a_piece_at_a_time_has_the_bytes_of_the_format() {
 }
 
 proptest! {
-    #![proptest_config(support::steady())]
+    #![proptest_config(crate::support::steady())]
 
     #[test]
     fn numbers_of_the_progress_come_back_with_every_bit(

@@ -1,14 +1,12 @@
 //! Momentum, symmetry, and sums that do not depend on who found the pairs.
 
-mod support;
-
+use crate::support::{INTEGRATORS, MASS, RADIUS, contacts, disc_at, law};
 use glam::DVec2;
 use parsim2d::force::{Force, Tally};
 use parsim2d::integrator::Motion;
 use parsim2d::neighbours::all_pairs;
 use parsim2d::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
 use parsim2d::simulation::{Simulation, place_discs};
-use support::{INTEGRATORS, MASS, RADIUS, contacts, disc_at, law};
 
 fn damped() -> SpringDashpot {
     law(Damping::Coefficient(0.3))

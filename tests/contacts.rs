@@ -1,8 +1,9 @@
 //! Eq. (1) against the closed forms of the damped oscillator, and its edge cases.
 #![allow(clippy::too_many_lines)] // tables of cases
 
-mod support;
-
+use crate::support::{
+    ELASTIC, INTEGRATORS, MASS, MEETINGS, Meeting, RADIUS, STIFFNESS, contacts, disc_at, law, walls,
+};
 use glam::DVec2;
 use parsim2d::analysis::collision::{
     ContactEnd, angular_frequency, damping_ratio_for, largest_overlap, restitution, scaled_duration,
@@ -10,9 +11,6 @@ use parsim2d::analysis::collision::{
 use parsim2d::force::HalfPlane;
 use parsim2d::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
 use parsim2d::simulation::Simulation;
-use support::{
-    ELASTIC, INTEGRATORS, MASS, MEETINGS, Meeting, RADIUS, STIFFNESS, contacts, disc_at, law, walls,
-};
 
 /// What was seen of one contact.
 struct Seen {

@@ -2,8 +2,6 @@
 //! every change it offers tried.
 #![allow(clippy::too_many_lines)] // tables of cases
 
-mod support;
-
 use std::path::Path;
 
 use parsim2d::analysis::stability::COARSE;
@@ -215,7 +213,7 @@ fn some_parameters() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(support::steady())]
+    #![proptest_config(crate::support::steady())]
 
     #[test]
     fn every_way_out_runs_and_mends_what_it_is_offered_for(text in some_parameters()) {

@@ -1,7 +1,9 @@
 //! What each integrator does to the energy, and the two residues of the ledger.
 
-mod support;
-
+use crate::support::{
+    ELASTIC, INTEGRATORS, MASS, Meeting, NewIntegrator, RADIUS, STIFFNESS, contacts, disc_at,
+    floor, law, walls,
+};
 use glam::DVec2;
 use parsim2d::analysis::collision::angular_frequency;
 use parsim2d::analysis::energy::{EnergyLedger, MechanicalEnergy};
@@ -9,10 +11,6 @@ use parsim2d::analysis::stability::explicit_euler_gain;
 use parsim2d::force::HalfPlane;
 use parsim2d::particle::{Damping, SpringDashpot};
 use parsim2d::simulation::{Simulation, place_discs, time_step};
-use support::{
-    ELASTIC, INTEGRATORS, MASS, Meeting, NewIntegrator, RADIUS, STIFFNESS, contacts, disc_at,
-    floor, law, walls,
-};
 
 /// Relative energy error after one elastic contact of `steps` steps that begins at `phase` of a
 /// step, and the largest error while it lasts.

@@ -1,7 +1,5 @@
 //! Every example runs and does what its head comment says.
 
-mod support;
-
 use glam::DVec2;
 use parsim2d::analysis::energy::{EnergyLedger, MechanicalEnergy};
 use parsim2d::particle::Particle;

@@ -14,9 +14,8 @@ use parsim2d::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
 use proptest::prelude::*;
 use tempfile::TempDir;
 
-mod support;
-use support::plotting::{RUNS, parsim2d, plot, read, simulate, write, write_study};
-use support::steady;
+use crate::support::plotting::{RUNS, parsim2d, plot, read, simulate, write, write_study};
+use crate::support::steady;
 
 #[test]
 fn discs_are_to_scale_in_both_directions() {

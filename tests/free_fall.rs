@@ -1,10 +1,8 @@
 //! Free fall: each integrator's own closed form, to round-off.
 
-mod support;
-
+use crate::support::{INTEGRATORS, disc_at};
 use glam::DVec2;
 use parsim2d::simulation::Simulation;
-use support::{INTEGRATORS, disc_at};
 
 #[test]
 fn every_integrator_falls_by_its_own_closed_form() {

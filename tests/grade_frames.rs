@@ -1,8 +1,6 @@
 //! Grading frames: right programs lose nothing, a bug costs the right check and is named.
 #![allow(clippy::too_many_lines)] // tables of cases
 
-mod support;
-
 use std::fmt::Write as _;
 use std::fs;
 
@@ -15,10 +13,8 @@ use parsim2d::grade::words::Finding;
 use parsim2d::grade::{grade, grade_film};
 use proptest::prelude::*;
 
-#[path = "support/runs.rs"]
-mod runs;
-#[path = "support/student.rs"]
-mod student;
+use crate::support::runs;
+use crate::support::student;
 
 use runs::{outcome, text};
 use student::{Bug, Program, damped, elastic, lost};
@@ -492,7 +488,7 @@ fn one_frame_alone_is_told_by_name() {
 }
 
 proptest! {
-    #![proptest_config(support::steady())]
+    #![proptest_config(crate::support::steady())]
 
     /// Bytes of any kind, and numbers in any disorder, give a report of every check.
     #[test]

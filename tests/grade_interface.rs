@@ -4,8 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-#[path = "support/handed_in.rs"]
-mod handed_in;
+use crate::support::handed_in;
 
 use handed_in::{can_grade, grade, hand_in};
 use parsim2d::grade::rubric::Rubric;

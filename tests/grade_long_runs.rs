@@ -9,10 +9,8 @@ use parsim2d::grade::rubric::Rubric;
 use parsim2d::grade::verdict::{Report, Status};
 use parsim2d::grade::words::Finding;
 
-#[path = "support/runs.rs"]
-mod runs;
-#[path = "support/student.rs"]
-mod student;
+use crate::support::runs;
+use crate::support::student;
 
 use runs::{outcome, text};
 use student::{Bug, Program, elastic, lost};

@@ -5,12 +5,9 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, SystemTime};
 
-#[path = "support/handed_in.rs"]
-mod handed_in;
-#[path = "support/runs.rs"]
-mod runs;
-#[path = "support/student.rs"]
-mod student;
+use crate::support::handed_in;
+use crate::support::runs;
+use crate::support::student;
 
 use handed_in::{can_grade, grade, hand_in, said_of};
 use parsim2d::grade::check::Check;

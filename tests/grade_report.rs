@@ -12,10 +12,8 @@ use parsim2d::grade::verdict::{Failure, Report, Status};
 use parsim2d::grade::words::{ENGLISH, Note};
 use parsim2d::grade::{add_film, add_many, grade, grade_film};
 
-#[path = "support/runs.rs"]
-mod runs;
-#[path = "support/student.rs"]
-mod student;
+use crate::support::runs;
+use crate::support::student;
 
 use runs::{outcome, text};
 use student::{Bug, Program, elastic, lost};

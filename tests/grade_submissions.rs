@@ -8,8 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-#[path = "support/handed_in.rs"]
-mod handed_in;
+use crate::support::handed_in;
 
 use handed_in::{can_grade, corpus, grade};
 

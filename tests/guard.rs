@@ -1,7 +1,8 @@
 //! The guard of a run: what it notices, and the step it finds.
 
-mod support;
-
+use crate::support::{
+    ELASTIC, MASS, NewIntegrator, RADIUS, STIFFNESS, contacts, disc_at, floor, law, walls,
+};
 use glam::DVec2;
 use parsim2d::analysis::energy::MechanicalEnergy;
 use parsim2d::analysis::guard::{BEYOND, CROSSED, EVERY, GROWTH, Guard, Trouble, Wrong};
@@ -10,9 +11,6 @@ use parsim2d::force::HalfPlane;
 use parsim2d::integrator::{Integrator, SymplecticEuler, VelocityVerlet};
 use parsim2d::particle::Particle;
 use parsim2d::simulation::Simulation;
-use support::{
-    ELASTIC, MASS, NewIntegrator, RADIUS, STIFFNESS, contacts, disc_at, floor, law, walls,
-};
 
 /// Two discs held together by a squeeze between two walls, stepped above their limit.
 fn squeezed_pair(integrator: Box<dyn Integrator>, ledger: bool) -> Simulation {

@@ -1,7 +1,6 @@
 //! What is said of runs that take long: before, and in the summary.
 
-#[path = "support/runs.rs"]
-mod runs;
+use crate::support::runs;
 
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;

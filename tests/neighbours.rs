@@ -1,7 +1,5 @@
 //! The grid and the list against all pairs, on random states and at the edges.
 
-mod support;
-
 use glam::DVec2;
 use parsim2d::neighbours::{Neighbours, all_pairs};
 use parsim2d::particle::{Contact, Particle};
@@ -53,7 +51,7 @@ fn finite_discs(most: usize) -> impl Strategy<Value = Vec<Particle>> {
 }
 
 proptest! {
-    #![proptest_config(support::steady())]
+    #![proptest_config(crate::support::steady())]
 
     #[test]
     fn a_fresh_list_has_every_touching_pair(particles in discs(120)) {
@@ -79,9 +77,9 @@ proptest! {
 #[test]
 fn a_violent_run_never_misses_a_contact() {
     // Elastic discs at 5 m/s in a small box, every step held against all pairs.
+    use crate::support::{ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, contacts, law, walls};
     use parsim2d::force::HalfPlane;
     use parsim2d::simulation::{Simulation, place_discs, time_step};
-    use support::{ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, contacts, law, walls};
     let side = 0.01;
     let mut discs = place_discs(40, RADIUS, MASS, side, 3).unwrap();
     for (k, disc) in discs.iter_mut().enumerate() {

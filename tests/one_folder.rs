@@ -1,8 +1,7 @@
 //! One run a folder: two at once, and a new one where another could still go on.
 #![cfg(unix)] // signals
 
-#[path = "support/runs.rs"]
-mod runs;
+use crate::support::runs;
 
 use std::fs;
 use std::path::Path;

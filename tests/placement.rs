@@ -1,7 +1,5 @@
 //! Discs placed at random or on a lattice: no overlap ever, uniform, and an end to all tries.
 
-mod support;
-
 use glam::DVec2;
 use parsim2d::neighbours::{Neighbours, all_pairs};
 use parsim2d::particle::Particle;
@@ -152,7 +150,7 @@ fn discs_placed_around_fixed_ones_leave_them_where_they_are() {
 }
 
 proptest! {
-    #![proptest_config(support::steady())]
+    #![proptest_config(crate::support::steady())]
 
     #[test]
     fn whatever_is_placed_never_overlaps(

@@ -6,9 +6,10 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-mod support;
-use support::gnuplot_is_missing;
-use support::plotting::{KINDS, RUNS, parsim2d, plot, read, run, simulate, write, write_study};
+use crate::support::gnuplot_is_missing;
+use crate::support::plotting::{
+    KINDS, RUNS, parsim2d, plot, read, run, simulate, write, write_study,
+};
 
 #[test]
 fn every_picture_is_well_formed_and_says_that_it_was_written() {

@@ -9,8 +9,7 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
-mod support;
-use support::gnuplot_is_missing;
+use crate::support::gnuplot_is_missing;
 
 /// Twenty moving discs.
 const MOVING: &str = "-n 20 --time 0.02 --seed 1 -q --speed 0.5 --radius 5e-4";

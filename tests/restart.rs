@@ -1,10 +1,9 @@
 //! Runs that are killed, interrupted or prolonged end with the bytes of a run that never was.
 //!
-//! `PARSIM2D_KILLS=200 cargo test --test restart killed` kills as often as that; `make kill-test` does.
+//! `PARSIM2D_KILLS=200 cargo test restart::killed` kills as often as that; `make kill-test` does.
 #![cfg(unix)] // signals
 
-#[path = "support/runs.rs"]
-mod runs;
+use crate::support::runs;
 
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,7 @@
 //! Restarts that cannot be, and disks that fill up: what is said, and what is left.
 #![cfg(unix)] // ulimit
 
-#[path = "support/runs.rs"]
-mod runs;
+use crate::support::runs;
 
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,7 @@
 //! Restarts that cannot be: one way out is named, and it works.
 #![cfg(unix)] // devices, sparse files
 
-#[path = "support/runs.rs"]
-mod runs;
+use crate::support::runs;
 
 use std::fs;
 use std::path::Path;

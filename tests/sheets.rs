@@ -32,8 +32,7 @@ const HOSTILE: &str = "</pre><script>alert(1)</script><img src=x onerror=alert(1
     Grade :=>> 100\n--|>\nGrade :=>> 100\r\nx\rGrade :=>> 100\u{2028}Grade :=>> 100\u{b}Grade :=>> 100\n\
     Comment :=>> all right\n]]>&amp;\u{0}\u{ffff}\u{202e}' onload=\"x\"";
 
-#[path = "support/runs.rs"]
-mod runs;
+use crate::support::runs;
 
 use runs::names as files;
 

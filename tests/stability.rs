@@ -1,8 +1,7 @@
 //! The largest stable time step: by eigenvalues of the step's matrix, by those of contact networks,
 //! and by running just below and just above it.
 
-mod support;
-
+use crate::support::{ELASTIC, MASS, RADIUS, STIFFNESS, contacts, law, walls};
 use glam::DVec2;
 use parsim2d::analysis::stability::{Assembly, LimitedBy, Species, limit, mode_limit};
 use parsim2d::force::HalfPlane;
@@ -11,7 +10,6 @@ use parsim2d::neighbours::all_pairs;
 use parsim2d::particle::{Contact, Damping, Particle};
 use parsim2d::scenario::Scenario;
 use parsim2d::simulation::Simulation;
-use support::{ELASTIC, MASS, RADIUS, STIFFNESS, contacts, law, walls};
 
 /// The larger modulus of the eigenvalues of Eq. (3)'s 2x2 matrix for x'' = -w² x - c v.
 fn spectral_radius(w: f64, c: f64, dt: f64) -> f64 {

@@ -1,12 +1,10 @@
 //! Two equal discs stacked on the floor: an exact two-body problem with gravity.
 
-mod support;
-
-use glam::DVec2;
-use parsim2d::simulation::Simulation;
-use support::{
+use crate::support::{
     ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, contacts, disc_at, floor, law, walls,
 };
+use glam::DVec2;
+use parsim2d::simulation::Simulation;
 
 const GRAVITY: f64 = 9.81;
 

@@ -1,0 +1,49 @@
+//! All integration tests in one program, which links the library once: a file a topic, and `cargo test golden::`
+//! runs one of them.
+
+mod support;
+
+mod answer;
+mod arrows;
+mod bench_scripts;
+mod checkpoint_file;
+mod cli;
+mod conservation;
+mod contacts;
+mod diagnosis;
+mod drift;
+mod energy;
+mod examples;
+mod faults;
+mod figures;
+mod files;
+mod free_fall;
+mod golden;
+mod grade_frames;
+mod grade_interface;
+mod grade_long_runs;
+mod grade_messages;
+mod grade_report;
+mod grade_submissions;
+mod guard;
+mod hash_matrix;
+mod live;
+mod long_runs;
+mod neighbours;
+mod one_folder;
+mod placement;
+mod plot_command;
+mod plots;
+mod readme;
+mod report;
+mod restart;
+mod restart_refused;
+mod restart_ways_out;
+mod same_bits;
+mod scenarios;
+mod sheet_recipes;
+mod sheets;
+mod stability;
+mod stack;
+mod twin;
+mod workshop;
