@@ -12,6 +12,7 @@ pub mod expected;
 pub mod file;
 pub mod finding;
 pub mod framed;
+pub mod gravity;
 pub mod judgement;
 pub mod notes;
 mod number;
@@ -35,6 +36,7 @@ use glam::DVec2;
 
 use self::error::ScenarioError;
 use self::framed::FramedDiscs;
+use self::gravity::Gravity;
 use self::preset::Preset;
 use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
@@ -65,8 +67,8 @@ pub struct Scenario {
     pub radius: f64,
     /// Mass of discs that do not say their own, kg.
     pub mass: f64,
-    /// Gravity, downward, m/s2.
-    pub gravity: f64,
+    /// Gravity, m/s2.
+    pub gravity: Gravity,
     /// Normal stiffness k_n, N/m.
     pub stiffness: f64,
     /// Damping of contacts.
@@ -282,7 +284,12 @@ impl Scenario {
 
     /// The stable limit on the time step.
     pub fn limit(&self) -> Limit {
-        stability::limit(&self.law(), &Assembly::of(&self.species()))
+        stability::limit(&self.law(), &self.assembly())
+    }
+
+    /// What the stable limit depends on.
+    pub(crate) fn assembly(&self) -> Assembly {
+        Assembly::of(&self.species(), self.walls.then_some(self.side))
     }
 
     /// The time step, s. Eq. (2) takes the lightest disc's mass.
@@ -317,7 +324,7 @@ impl Scenario {
 
     /// Gravity as a vector, m/s2.
     pub fn gravity_vector(&self) -> DVec2 {
-        DVec2::new(0.0, -self.gravity)
+        self.gravity.vector
     }
 
     /// Places the discs and puts the simulation together, at t = 0.
@@ -348,12 +355,15 @@ impl Scenario {
             let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
             Box::new(PlainDiscs::new(particles, gravity, vec![walls, contacts]))
         };
-        let integrator: Box<dyn Integrator> = match self.integrator {
+        Simulation::of(discs, self.new_integrator(), dt)
+    }
+
+    fn new_integrator(&self) -> Box<dyn Integrator> {
+        match self.integrator {
             IntegratorName::SymplecticEuler => Box::new(SymplecticEuler),
             IntegratorName::ExplicitEuler => Box::new(ExplicitEuler),
             IntegratorName::VelocityVerlet => Box::new(VelocityVerlet),
-        };
-        Simulation::of(discs, integrator, dt)
+        }
     }
 
     /// Threads that share the steps: those said, or one for each core where that pays; one where there

@@ -97,7 +97,7 @@ fn a_packed_bed_vibrates_no_faster_than_the_rule_says() {
     let (discs, planes) = squeezed_packing(20);
     let lambda = fastest_lambda(&discs, &planes) * MASS;
     assert!((5.9..6.0).contains(&lambda), "{lambda}");
-    let bed = Assembly::of(&[Species { n: discs.len(), radius: RADIUS, mass: MASS }]);
+    let bed = Assembly::of(&[Species { n: discs.len(), radius: RADIUS, mass: MASS }], None);
     assert_eq!(limit(&law(ELASTIC), &bed).by, LimitedBy::PackedBed);
 }
 
@@ -163,7 +163,7 @@ fn a_large_disc_among_small_ones_has_a_limit_of_its_own() {
             Species { n: 1, radius: large, mass: MASS },
             Species { n: count, radius: small, mass },
         ];
-        let rule = Assembly::of(&species).large_disc.max(6.1 / mass);
+        let rule = Assembly::of(&species, None).large_disc.max(6.1 / mass);
         assert!(lambda <= rule && lambda > 0.1 * rule, "{count}: {lambda} {rule}");
     }
 }
@@ -181,7 +181,7 @@ fn beds_of_unequal_discs_stay_below_the_rule() {
         let mut simulation = scenario.build().unwrap();
         (0..scenario.steps()).for_each(|_| simulation.step());
         let lambda = fastest_lambda(simulation.particles(), &HalfPlane::square(0.02));
-        let assembly = Assembly::of(&scenario.species());
+        let assembly = Assembly::of(&scenario.species(), Some(0.02));
         let rule = assembly.large_disc.max(6.1 / assembly.lightest);
         assert!(lambda <= rule && lambda > 2.0 / assembly.lightest, "{radius}: {lambda} {rule}");
     }

@@ -3,9 +3,10 @@
 //! A contact network vibrates at most at omega with omega² = k_n lambda. Eq. (3) and velocity Verlet
 //! (its dashpot fed the half-step velocity) are the same recurrence; it is stable up to
 //! dt = (2/omega) (sqrt(1 + zeta²) - zeta), zeta = eta_n lambda / (2 omega), as the eigenvalues of
-//! its 2x2 step matrix say. lambda is 1/m for one disc at a wall, 1/m_i + 1/m_j for a pair, and
-//! 6.1/m for a packed bed: 6 for the triangular packing, 5.76 to 6.02 measured in settled beds
-//! (compare Burns and Hanley 2017, IJNME 110:186).
+//! its 2x2 step matrix say. lambda is 1/m for one disc at a wall, 1/m_i + 1/m_j for a pair, 2.618/m for
+//! two equal discs of which a wall holds one (`at_walls.rs`), and 6.1/m for a packed bed: 6 for the
+//! triangular packing, 5.76 to 6.02 measured in settled beds (compare Burns and Hanley 2017, IJNME
+//! 110:186).
 //!
 //! A disc of mass m_b with c small neighbours all around it adds a mode of its own, in which it moves
 //! against them: k_n c/2 holds it, so that lambda is about c/(2 m_b) + 3.1/m, which for equal discs
@@ -14,8 +15,11 @@
 //! The limits are necessary, not sufficient: contacts open and close, and a step just below the
 //! limit heats a crowded box. Stay below [`COARSE`] of it.
 
+mod at_walls;
+
 use std::f64::consts::PI;
 
+pub use self::at_walls::TwoAtWalls;
 use crate::particle::SpringDashpot;
 
 /// Above this fraction of the limit a time step is coarse: stable, and too inaccurate to trust.
@@ -37,6 +41,8 @@ pub enum LimitedBy {
     OneDisc,
     /// Two discs in contact.
     Pair,
+    /// Two discs in contact with each other and with walls.
+    PairAtWalls,
     /// Many contacts at once.
     PackedBed,
     /// Many small discs around a larger one that is light for its size.
@@ -48,6 +54,7 @@ impl std::fmt::Display for LimitedBy {
         f.write_str(match self {
             Self::OneDisc => "one disc at a wall",
             Self::Pair => "a pair of discs",
+            Self::PairAtWalls => "a pair of discs at a wall",
             Self::PackedBed => "a heap of discs",
             Self::LargeDisc => "a large disc among many small ones",
         })
@@ -108,21 +115,24 @@ pub struct Assembly {
     pub heaviest: f64, // kg
     /// omega²/k_n of the fastest mode of one large disc against small neighbours.
     pub large_disc: f64, // 1/kg
+    /// Two discs between walls; `None` for other numbers of discs, and on an open plane.
+    pub at_walls: Option<TwoAtWalls>,
 }
 
 impl Assembly {
-    /// The assembly of all `species`, of which there is at least one disc.
+    /// The assembly of all `species`, of which there is at least one disc, in a box of `side` (m) if
+    /// there are walls.
     ///
     /// ```
     /// use parsim2d::analysis::stability::{Assembly, Species};
     /// // A disc of 3 mm in a ring of 60 of 0.14 mm, all of 1 g: 70 would have room around it.
     /// let large = Species { n: 1, radius: 3e-3, mass: 1e-3 };
     /// let small = Species { n: 60, radius: 1.4e-4, mass: 1e-3 };
-    /// let ring = Assembly::of(&[large, small]);
+    /// let ring = Assembly::of(&[large, small], None);
     /// assert_eq!(ring.n, 61);
     /// assert!((ring.large_disc - (3.1 + 60.0 / 2.0) / 1e-3).abs() < 1e-6); // 1/kg
     /// ```
-    pub fn of(species: &[Species]) -> Self {
+    pub fn of(species: &[Species], side: Option<f64>) -> Self {
         let n = species.iter().map(|s| s.n).sum::<usize>();
         let least = |of: fn(&Species) -> f64| species.iter().map(of).fold(f64::INFINITY, f64::min);
         let (lightest, smallest) = (least(|s| s.mass), least(|s| s.radius));
@@ -135,12 +145,23 @@ impl Assembly {
             })
             .fold(0.0, f64::max);
         let heaviest = species.iter().map(|s| s.mass).fold(0.0, f64::max);
-        Self { n, lightest, heaviest, large_disc }
+        let two = || match *species {
+            [both] => Some([both, both]),
+            [one, other] => Some([one, other]),
+            _ => None,
+        };
+        let at_walls = side.filter(|_| n == 2).zip(two()).map(|(side, two)| TwoAtWalls {
+            masses: two.map(|disc| disc.mass),
+            radii: two.map(|disc| disc.radius),
+            side,
+        });
+        Self { n, lightest, heaviest, large_disc, at_walls }
     }
 }
 
-/// The limits for an assembly of discs, each with its cause: one disc at a wall, a pair (n >= 2), a
-/// packed bed (n >= 3), and a large disc among small ones where it is stricter than the bed.
+/// The limits for an assembly of discs, each with its cause: one disc at a wall, a pair (n >= 2), two
+/// discs and a wall (n = 2), a packed bed (n >= 3), and a large disc among small ones where it is
+/// stricter than the bed.
 ///
 /// ```
 /// use parsim2d::analysis::stability::{Assembly, LimitedBy, Species, limit};
@@ -150,13 +171,13 @@ impl Assembly {
 ///     damping: Damping::Coefficient(1.5e3),
 ///     tension: true,
 /// };
-/// let heap = Assembly::of(&[Species { n: 300, radius: 1e-4, mass: 1e-3 }]);
+/// let heap = Assembly::of(&[Species { n: 300, radius: 1e-4, mass: 1e-3 }], Some(0.04));
 /// let limit = limit(&as_printed, &heap);
 /// assert_eq!(limit.by, LimitedBy::PackedBed);
 /// assert!((limit.dt / 2.1857e-7 - 1.0).abs() < 1e-4); // s; Eq. (2) would need N_t > 2032
 /// ```
 pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
-    let &Assembly { n, lightest, heaviest, large_disc } = assembly;
+    let &Assembly { n, lightest, heaviest, large_disc, at_walls } = assembly;
     let pair_mass = lightest * heaviest / (lightest + heaviest);
     let pair_lambda = if n == 2 { 1.0 / pair_mass } else { 2.0 / lightest };
     let bed = PACKED_BED / lightest;
@@ -166,6 +187,13 @@ pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
         (3, LimitedBy::PackedBed, pair_mass, bed),
         (3, LimitedBy::LargeDisc, pair_mass, large_disc),
     ];
+    let two = at_walls.map(|two| {
+        let is_overdamped = {
+            let eta = law.damping.coefficient(law.stiffness, pair_mass);
+            frequency_and_damping_ratio(law.stiffness, eta, pair_lambda).1 >= 1.0
+        };
+        Limit { dt: two.limit(law), by: LimitedBy::PairAtWalls, is_overdamped }
+    });
     modes
         .into_iter()
         .filter(|&(discs, ..)| discs <= n.max(1))
@@ -177,6 +205,7 @@ pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
             let dt = mode_limit(law.stiffness, eta, lambda);
             Limit { dt, by, is_overdamped: zeta >= 1.0 }
         })
+        .chain(two)
         .collect()
 }
 

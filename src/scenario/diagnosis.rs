@@ -5,10 +5,10 @@ use serde::Serialize;
 
 use super::Scenario;
 use super::expected::ExpectedContact;
-use super::finding::{Finding, Verdict};
+use super::finding::{Finding, Matter, Verdict};
 use super::judgement::{FEWEST_STEPS, LONG_STRIDE, SOFT};
 use crate::analysis::collision::ContactEnd;
-use crate::analysis::stability::{self, Assembly, COARSE, LimitedBy};
+use crate::analysis::stability::{self, COARSE, LimitedBy};
 
 /// Linear limits say only this much.
 pub const CAVEAT: &str = "These limits are necessary, not sufficient: contacts open and close. With \
@@ -133,6 +133,8 @@ impl Scenario {
             row("damping ratio zeta", |c| c.damping_ratio),
             row("duration of a contact tau, s", |c| c.duration),
             row("restitution e", |c| c.restitution),
+            self.stepped(pair.as_ref(), wall.as_ref()),
+            self.with_weight(),
             judged(row("time steps in a contact", |c| c.steps), &|steps| {
                 if steps < FEWEST_STEPS { Verdict::Coarse } else { Verdict::Good }
             }),
@@ -151,9 +153,32 @@ impl Scenario {
         ]
     }
 
+    /// Restitution as the time step gives it.
+    fn stepped(&self, pair: Option<&ExpectedContact>, wall: Option<&ExpectedContact>) -> Figure {
+        let stepped = |contact: Option<&ExpectedContact>| {
+            contact.and_then(|contact| self.stepped_restitution(contact))
+        };
+        let judged = self.findings().into_iter().find(|f| f.matter == Matter::Restitution);
+        let [pair, wall] = [pair, wall].map(stepped);
+        let any = pair.or(wall).is_some();
+        Figure {
+            name: "restitution e at this time step",
+            pair,
+            wall,
+            verdict: any.then(|| judged.map_or(Verdict::Good, |found| found.verdict)),
+        }
+    }
+
+    /// Restitution on the floor, where the weight pushes a disc in while it is in contact: what a run
+    /// measures. The slower it comes, the less; this is at the speed to expect.
+    fn with_weight(&self) -> Figure {
+        let wall = self.walls.then(|| self.bounce_with_weight()).flatten();
+        Figure { name: "the same under its weight, at that speed", pair: None, wall, verdict: None }
+    }
+
     fn limit_figures(&self) -> Vec<LimitFigure> {
         let dt = self.dt();
-        let linear = stability::limits(&self.law(), &Assembly::of(&self.species()));
+        let linear = stability::limits(&self.law(), &self.assembly());
         let mut limits: Vec<LimitFigure> = linear
             .into_iter()
             // Without walls no disc is alone at one; a single disc has no other limit.

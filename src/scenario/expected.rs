@@ -1,6 +1,7 @@
 //! What can be expected of a run before it: speeds, overlaps, how long a contact lasts.
 
 use super::{DiscSource, Scenario};
+use crate::analysis::bounce::Touch;
 use crate::analysis::collision::{
     angular_frequency, damping_ratio, largest_overlap, restitution, scaled_duration,
 };
@@ -109,9 +110,10 @@ impl Scenario {
         let zeta = self.damping_ratio(reduced_mass);
         let duration = scaled_duration(zeta, self.contact_end()) / omega;
         let weights = self.species().into_iter().map(|disc| disc.mass / disc.radius);
-        let static_overlap = weights.fold(0.0, f64::max) * self.gravity.abs() / self.stiffness;
+        let static_overlap = weights.fold(0.0, f64::max) * self.gravity.size() / self.stiffness;
         let (_, largest) = self.radius_range();
-        let layers = self.n() as f64 * 2.0 * largest / self.side;
+        let area = self.n() as f64 * 4.0 * largest * largest;
+        let layers = self.gravity.heap_depth(area, self.side) / (2.0 * largest);
         ExpectedContact {
             angular_frequency: omega,
             damping_ratio: zeta,
@@ -124,15 +126,32 @@ impl Scenario {
         }
     }
 
+    /// Restitution of the lightest disc on the floor, met at the speed to expect, with its weight on it;
+    /// 0 if it stays, `None` without a weight.
+    pub(super) fn bounce_with_weight(&self) -> Option<f64> {
+        let (reduced_mass, push) = (self.mass_range().0, self.gravity.vector.abs().max_element());
+        let touch = Touch {
+            stiffness: self.stiffness,
+            eta: self.law().damping.coefficient(self.stiffness, reduced_mass),
+            reduced_mass,
+            speed: self.expected_speed(),
+            push,
+            end: self.contact_end(),
+        };
+        let parting_speed = touch.bounce().parting.map_or(0.0, |parting| parting.speed);
+        (push > 0.0 && touch.speed > 0.0).then_some(parting_speed / touch.speed)
+    }
+
     /// The speed to expect, m/s: that of a fall through the box, sqrt(2 g l), and of the discs' own
     /// motion at the start.
     pub fn expected_speed(&self) -> f64 {
         self.fall_speed().hypot(self.fastest_start())
     }
 
-    /// The speed of a fall through the box, m/s; 0 without walls to end it.
+    /// The speed of a fall through the box, along gravity from corner to corner, m/s; 0 without walls to end it.
     pub(super) fn fall_speed(&self) -> f64 {
-        if self.walls { (2.0 * self.gravity.abs() * self.side).sqrt() } else { 0.0 }
+        let height = self.gravity.fall_height(self.side);
+        if self.walls { (2.0 * self.gravity.size() * height).sqrt() } else { 0.0 }
     }
 
     /// The path in one time step at the expected speed, over the smallest radius.

@@ -38,6 +38,8 @@ pub enum Matter {
     Softness,
     /// The time integrator.
     Integrator,
+    /// The restitution that the time step gives.
+    Restitution,
     /// Where the discs are at the start.
     Start,
 }

@@ -3,6 +3,7 @@
 
 mod softness;
 mod step;
+mod stepped;
 
 use super::finding::{Finding, Matter, Verdict};
 use super::number::Num;
@@ -28,6 +29,7 @@ impl Scenario {
             self.step_finding(),
             self.travel_finding(),
             self.explicit_euler(),
+            self.missed_restitution(),
             self.softness(),
         ];
         let mut findings: Vec<Finding> = found.into_iter().flatten().collect();

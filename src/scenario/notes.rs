@@ -76,16 +76,20 @@ impl Scenario {
     }
 
     fn note_on_gravity(&self) -> Option<String> {
-        (self.gravity < 0.0).then(|| {
-            let up = Num(-self.gravity);
-            format!("gravity is positive downward: this one pulls up; --gravity {up} pulls down")
+        let up = self.gravity.vector.y;
+        (self.gravity.is_vertical() && up > 0.0).then(|| {
+            let up = Num(up);
+            format!(
+                "gravity is positive downward (y of a vector [gx, gy] is up): this one pulls up; \
+                 --gravity {up} pulls down"
+            )
         })
     }
 
     fn note_on_stillness(&self, discs: &[Particle]) -> Option<String> {
         let all_rest = discs.iter().all(|disc| disc.velocity.length_squared() == 0.0);
         let touches = || self.deepest_overlap(discs, |overlap| overlap.relative).1 > 0;
-        (self.gravity == 0.0 && !discs.is_empty() && all_rest && !touches())
+        (self.gravity.is_nothing() && !discs.is_empty() && all_rest && !touches())
             .then(|| "no disc moves: no gravity, no speed, no contact; try --speed 0.1".to_owned())
     }
 

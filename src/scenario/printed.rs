@@ -60,7 +60,8 @@ impl Scenario {
             writeln!(out, "radius = {:?} # m", self.radius)?;
         }
         writeln!(out, "mass = {:?} # kg", self.mass)?;
-        writeln!(out, "gravity = {:?} # m/s2, downward", self.gravity)?;
+        let way = if self.gravity.is_vertical() { "downward" } else { "y up" };
+        writeln!(out, "gravity = {} # m/s2, {way}", self.gravity)?;
         writeln!(out, "kn = {:?} # N/m", self.stiffness)?;
         match self.damping {
             DampingChoice::Eta(eta) => writeln!(out, "eta = {eta:?} # kg/s")?,

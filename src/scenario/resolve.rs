@@ -3,6 +3,7 @@
 use super::error::ScenarioError;
 use super::exclusive;
 use super::framed::FramedDiscs;
+use super::gravity::Gravity;
 use super::number::Num;
 use super::quantity::{MOST_THREADS, Quantity};
 use super::range::{finite, not_negative, positive, whole};
@@ -31,7 +32,7 @@ impl Scenario {
         let side = positive("side", si(settings.side, usual.side), "--side 4cm")?;
         let radius = si(settings.radius, usual.radius);
         let mass = si(settings.mass, usual.mass);
-        let gravity = si(settings.gravity, usual.gravity);
+        let gravity = settings.gravity.unwrap_or(Gravity::down(usual.gravity));
         let stiffness = si(settings.kn, usual.stiffness);
         let speed = si(settings.speed, 0.0);
         let time = si(settings.time, 1.0);
@@ -42,7 +43,7 @@ impl Scenario {
             side,
             radius,
             mass: positive("mass", mass, "--mass 1g")?,
-            gravity: finite("gravity", gravity)?,
+            gravity: finite_gravity(gravity)?,
             stiffness: positive("kn", stiffness, "--kn 5e4")?,
             damping: damping_choice(settings, usual.damping)?,
             tension: !settings.no_tension.unwrap_or(false),
@@ -89,6 +90,11 @@ impl Scenario {
         }
         Ok(())
     }
+}
+
+fn finite_gravity(gravity: Gravity) -> Result<Gravity, ScenarioError> {
+    gravity.vector.to_array().into_iter().try_for_each(|g| finite("gravity", g).map(|_| ()))?;
+    Ok(gravity)
 }
 
 /// The value said, or `otherwise`, in SI units.

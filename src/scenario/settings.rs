@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::{Deserialize, Serialize};
 
+use super::gravity::Gravity;
 use super::preset::Preset;
 use super::quantity::{
-    Acceleration, Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time,
+    Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time,
     thread_count, whole_number,
 };
 
@@ -69,9 +70,9 @@ settings! {
     /// Mass of a disc, m [default: 1e-3]
     #[arg(long, value_name = "KG", allow_hyphen_values = true, help_heading = "Physics")]
     mass: Quantity<Mass>,
-    /// Gravity g, downward [default: 9.81]
+    /// Gravity g, downward; or a vector, y up: --gravity=[0,-9.81] [default: 9.81]
     #[arg(long, value_name = "M/S2", allow_hyphen_values = true, help_heading = "Physics")]
-    gravity: Quantity<Acceleration>,
+    gravity: Gravity,
     /// Normal stiffness, k_n [default: 5e4]
     #[arg(long, value_name = "N/M", allow_hyphen_values = true, help_heading = "Physics")]
     #[arg(aliases = ["k_n", "k-n"])]

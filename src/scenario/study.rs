@@ -13,6 +13,7 @@ use std::f64::consts::SQRT_2;
 use glam::DVec2;
 
 use super::error::ScenarioError;
+use super::gravity::Gravity;
 use super::quantity::{Length, Mass, Quantity, Stiffness, Time};
 use super::settings::{IntegratorName, Settings};
 use super::{DampingChoice, DiscSource, Scenario, StepChoice};
@@ -240,7 +241,7 @@ impl Study {
             let side = 100.0 * radius;
             let mut scenario = Scenario {
                 side,
-                gravity: 0.0,
+                gravity: Gravity::down(0.0),
                 integrator,
                 step: StepChoice::Nt(nt),
                 damping: DampingChoice::Eta(0.0),
@@ -272,6 +273,7 @@ impl Study {
     /// One disc in free fall from rest, with Eq. (3), over half the side of the box.
     pub fn saw_tooth(&self, nt: f64) -> Result<SawTooth, ScenarioError> {
         let Scenario { radius, mass, side, gravity, .. } = self.boxes[0];
+        let gravity = gravity.size();
         let disc = Particle::at_rest(DVec2::splat(0.5 * side), radius, mass);
         let mut fall = Scenario {
             walls: false,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
+use super::gravity::Gravity;
 use super::number::Num;
 use super::preset::Preset;
 use super::{DampingChoice, DiscSource, Population, Scenario, StepChoice};
@@ -53,9 +54,12 @@ impl Scenario {
                 Self { stiffness: usual.stiffness, ..self.clone() }
             }),
             number("--mass", self.mass, usual.mass, Self { mass: usual.mass, ..self.clone() }),
-            number("--gravity", self.gravity, usual.gravity, {
-                Self { gravity: usual.gravity, ..self.clone() }
-            }),
+            Suspect {
+                name: "--gravity".to_owned(),
+                value: self.gravity.said(),
+                usual: format!("--gravity {}", Num(usual.gravity)),
+                mended: Self { gravity: Gravity::down(usual.gravity), ..self.clone() },
+            },
             number("--speed", self.speed, 0.0, Self { speed: 0.0, ..self.clone() }),
             number("--radius", self.radius, usual.radius, {
                 Self { radius: usual.radius, ..self.clone() }

@@ -59,7 +59,7 @@ impl Question {
         }
         let mut expected =
             Expected { wall: Some(wall), touch, bounce, begins, ends, heights: vec![], turn: 0.0 };
-        if wall == DVec2::NEG_Y && self.gravity.y < 0.0 {
+        if wall == DVec2::NEG_Y && self.gravity.y < 0.0 && self.gravity.x == 0.0 {
             self.add_heights(disc, &mut expected);
         }
         Some(expected)
@@ -71,8 +71,8 @@ impl Question {
         bounce.parting.map_or(10.0 * swing, |parting| parting.apart + swing)
     }
 
-    /// The apexes after the first bounces off the floor, as long as no other wall and no end of the run
-    /// comes between.
+    /// The apexes after the first bounces off the floor, under gravity along y, as long as no other wall and
+    /// no end of the run comes between.
     fn add_heights(&self, disc: &Particle, expected: &mut Expected) {
         let (g, mut touch, mut begins) = (-self.gravity.y, expected.touch, expected.begins);
         for _ in 0..HEIGHTS {
@@ -97,9 +97,9 @@ impl Question {
     }
 
     /// When a disc in free flight would touch each wall, s, earliest first, with the wall's normal.
-    /// `None` without walls, in a push that is not along y, or in contact at the start.
+    /// `None` without walls, or in contact at the start.
     fn walls_ahead(&self, disc: &Particle) -> Option<Vec<(f64, DVec2)>> {
-        let side = self.side.filter(|_| self.gravity.x == 0.0)?;
+        let side = self.side?;
         let room = side - 2.0 * disc.radius;
         let from_low = disc.position - DVec2::splat(disc.radius);
         let mut walls = Vec::new();

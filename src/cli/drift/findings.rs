@@ -122,7 +122,7 @@ impl Findings {
         let (elastic, damped) = (eq_3(Case::Box, 1.0), eq_3(Case::Dense, study.restitution()));
         let fall = study.saw_tooth(nt)?;
         let [guide, dense] = study.boxes();
-        let fall_time = (2.0 * dense.side / dense.gravity).sqrt();
+        let fall_time = (2.0 * dense.side / dense.gravity.size()).sqrt();
         let residue = |(_, course): &Outcome| (course.work_error / course.energy_at_start).abs();
         Ok(Self {
             nt,

@@ -1,0 +1,131 @@
+//! Restitution as the time step gives it, beside that of Eq. (1) in continuous time.
+//!
+//! With a dashpot every integrator here is of first order inside a contact, and the lower e, the more of
+//! it hangs on the end of the contact, when the step is largest against what is left. So that e is not
+//! judged by a rule: one contact is stepped, begun at several phases of a step.
+
+use glam::DVec2;
+
+use crate::analysis::collision::angular_frequency;
+use crate::force::{HalfPlane, Walls};
+use crate::particle::Particle;
+use crate::scenario::Scenario;
+use crate::scenario::expected::ExpectedContact;
+use crate::scenario::finding::{Finding, Matter, Verdict};
+use crate::scenario::number::{Num, round_up};
+use crate::scenario::settings::IntegratorName;
+use crate::scenario::{StepChoice, suspects::Suspect};
+use crate::simulation::Simulation;
+
+/// Restitution that is off by more than this part of itself is missed.
+pub const MISSED: f64 = 0.05;
+
+/// Phases of the touch inside a step.
+const PHASES: u32 = 8;
+
+/// More steps in a contact than this are not stepped to be judged: at 4000 even e = 1e-4 is met to 2 %.
+const MOST_STEPS: f64 = 4000.0;
+
+impl Scenario {
+    /// The restitution that this integrator and time step give in the `contact`, without weight: the mean
+    /// over the phases at which it may begin; `None` where a contact never ends, where the step is
+    /// unstable, or where it is so fine that nothing is missed.
+    pub fn stepped_restitution(&self, contact: &ExpectedContact) -> Option<f64> {
+        if !self.is_stable() || contact.steps.is_nan() || contact.steps > MOST_STEPS {
+            return None;
+        }
+        let omega = contact.angular_frequency;
+        let reduced_mass = self.stiffness / (omega * omega);
+        let phases = (0..PHASES).map(|phase| (f64::from(phase) + 0.5) / f64::from(PHASES));
+        let sum: f64 = phases.map(|phase| self.stepped_contact(reduced_mass, phase)).sum();
+        Some(sum / f64::from(PHASES))
+    }
+
+    /// Speed after over speed before of one contact that begins `phase` of a step after a step: of a disc
+    /// of the reduced mass (kg) with a wall, for the law sees no more of a pair. 0 if it does not end.
+    fn stepped_contact(&self, reduced_mass: f64, phase: f64) -> f64 {
+        let (radius, dt) = (1.0, self.dt()); // m: nothing hangs on it, nor on the speed
+        let speed = 0.1 * radius * angular_frequency(self.stiffness, reduced_mass);
+        let at = DVec2::new(0.0, radius + phase * speed * dt);
+        let mut disc = Particle::at_rest(at, radius, reduced_mass);
+        disc.velocity.y = -speed;
+        let floor = HalfPlane { point: DVec2::ZERO, normal: DVec2::NEG_Y };
+        let walls = Walls { law: self.law(), planes: vec![floor] };
+        let mut run = Simulation::new(
+            vec![disc],
+            DVec2::ZERO,
+            vec![Box::new(walls)],
+            self.new_integrator(),
+            dt,
+        );
+        let is_apart = |run: &Simulation| run.particles()[0].position.y >= radius;
+        while is_apart(&run) {
+            run.step();
+        }
+        for _ in 0..(10.0 * MOST_STEPS) as u64 {
+            run.step();
+            if is_apart(&run) {
+                run.step(); // velocity Verlet kicks once more with the force of the step before
+                return run.particles()[0].velocity.y / speed;
+            }
+        }
+        0.0
+    }
+
+    /// How far off, as a part of itself, the restitution of the `contact` comes out.
+    fn missed_by(&self, contact: &ExpectedContact) -> f64 {
+        let stepped = self.stepped_restitution(contact);
+        stepped.filter(|_| contact.restitution > 0.0).map_or(0.0, |e| e / contact.restitution - 1.0)
+    }
+
+    /// The contact whose restitution is missed most, what it is between, and by how much.
+    fn most_missed(&self) -> Option<(&'static str, ExpectedContact, f64)> {
+        let pair = (self.n() > 1).then(|| ("of two discs", self.expected_pair()));
+        let wall = self.walls.then(|| ("at a wall", self.expected_wall()));
+        let all = [pair, wall].into_iter().flatten();
+        let missed = all.map(|(whose, contact)| (whose, contact, self.missed_by(&contact)));
+        missed.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))
+    }
+
+    /// Whether the step gives the restitution that is meant; explicit Euler has a finding of its own.
+    fn keeps_restitution(&self) -> bool {
+        self.integrator == IntegratorName::ExplicitEuler
+            || self.most_missed().is_none_or(|(.., missed)| missed.abs() <= MISSED)
+    }
+
+    pub(super) fn missed_restitution(&self) -> Option<Finding> {
+        if self.keeps_restitution() {
+            return None;
+        }
+        let (whose, contact, missed) = self.most_missed()?;
+        let Suspect { name, value, .. } = self.step_suspect();
+        let what = format!(
+            "restitution is missed: at this step a contact {whose} has e = {}, not {} ({:+.0} %)",
+            Num::rounded(contact.restitution * (1.0 + missed)),
+            Num::rounded(contact.restitution),
+            100.0 * missed
+        );
+        Some(Finding {
+            matter: Matter::Restitution,
+            verdict: Verdict::Coarse,
+            what,
+            fault: name,
+            value,
+            ways_out: self.nt_for_restitution(missed).into_iter().collect(),
+        })
+    }
+
+    /// The N_t that gives the restitution meant, found by trying.
+    fn nt_for_restitution(&self, missed: f64) -> Option<String> {
+        let now = self.with_step(StepChoice::Nt(1.0)).dt() / self.dt();
+        let mut nt = round_up(now * missed.abs() / MISSED); // the error goes like dt
+        for _ in 0..20 {
+            let finer = self.with_step(StepChoice::Nt(nt));
+            if finer.keeps_restitution() && finer.is_runnable() {
+                return Some(format!("--nt {}", Num(nt)));
+            }
+            nt = round_up(1.2 * nt);
+        }
+        None
+    }
+}
