@@ -17,6 +17,7 @@ mod resume;
 mod run;
 mod signals;
 mod stepping;
+mod told;
 mod typed;
 mod watch;
 mod wrapped;
@@ -24,19 +25,23 @@ mod wrapped;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
+
+use self::refusal::Refusal;
 
 use crate::output::OutputError;
 use crate::output::failure::FailureReport;
 use crate::scenario::error::ScenarioError;
 use crate::scenario::file::did_you_mean;
+use crate::scenario::wished::{Wish, wish};
 
 /// Runs the program on the process's arguments.
 pub fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            if let Some(refusal) = resume::flags::refusal(&error) {
+            if let Some(refusal) = resume::flags::refusal(&error).or_else(|| wished(&error)) {
                 let _ = writeln!(io::stderr(), "error: {refusal}");
                 return ExitCode::from(2);
             }
@@ -68,6 +73,26 @@ pub fn run() -> ExitCode {
             failure.exit_code()
         }
     }
+}
+
+/// What to say of `error` if a run, or `check`, was asked for something that is not there.
+fn wished(error: &clap::Error) -> Option<Refusal> {
+    let first = std::env::args_os().nth(1)?;
+    let is_other = |command: &clap::Command| *command.get_name() == first;
+    let is_of_run =
+        first == "run" || first == "check" || !Cli::command().get_subcommands().any(is_other);
+    let said = match (error.kind(), error.get(ContextKind::InvalidArg)?) {
+        (ErrorKind::UnknownArgument, ContextValue::String(flag)) if is_of_run => {
+            flag.split('=').next().unwrap_or(flag)
+        }
+        (ErrorKind::InvalidValue, _) if is_of_run => match error.get(ContextKind::InvalidValue)? {
+            ContextValue::String(name) => name,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Wish { lacks, nearest, .. } = wish(said)?;
+    Some(Refusal { why: format!("{said}: {lacks}"), way_out: (*nearest).to_owned() })
 }
 
 const EXAMPLES: &str = "\

@@ -1,5 +1,7 @@
 //! n discs in a square box without overlap: at random or on a lattice.
 
+pub mod thrown;
+
 use glam::DVec2;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
@@ -222,7 +224,7 @@ pub fn lattice(
     }
     // Less than half the gap each way: two neighbours moved towards each other do not touch.
     let jitter = 0.4 * gap.min(radius);
-    let (mut to_place, mut sites_left) = (asked, kind.sites(spacing, room).count());
+    let (mut to_place, mut sites_left) = (asked, kind.count(spacing, room));
     // The lattice rarely fills the box to the last hair: centre it.
     let extent = kind.sites(spacing, room).fold(DVec2::ZERO, DVec2::max);
     let corner = DVec2::splat(radius) + 0.5 * (DVec2::splat(room) - extent);
@@ -269,7 +271,7 @@ pub fn lattice_capacity(radius: f64, side: f64) -> usize {
         return 0;
     }
     [Lattice::Triangular, Lattice::Square]
-        .map(|kind| kind.sites(tight, room).count())
+        .map(|kind| kind.count(tight, room))
         .into_iter()
         .max()
         .unwrap_or(0)
@@ -281,18 +283,35 @@ enum Lattice {
     Square,
 }
 
+/// Sites of a row that begins at `left`.
+fn columns(left: f64, spacing: f64, room: f64) -> usize {
+    if left > room { 0 } else { ((room - left) / spacing) as usize + 1 }
+}
+
 impl Lattice {
-    /// Sites `spacing` apart in a square of side `room`, row by row from the origin.
-    fn sites(self, spacing: f64, room: f64) -> impl Iterator<Item = DVec2> {
-        let (rise, shift) = match self {
+    /// From row to row, and how far every other row is shifted.
+    fn rise_and_shift(self, spacing: f64) -> (f64, f64) {
+        match self {
             Self::Triangular => (0.75f64.sqrt() * spacing, 0.5 * spacing),
             Self::Square => (spacing, 0.0),
-        };
+        }
+    }
+
+    /// How many [`sites`](Self::sites) there are.
+    fn count(self, spacing: f64, room: f64) -> usize {
+        let (rise, shift) = self.rise_and_shift(spacing);
+        let rows = (room / rise) as usize + 1;
+        rows.div_ceil(2) * columns(0.0, spacing, room) + rows / 2 * columns(shift, spacing, room)
+    }
+
+    /// Sites `spacing` apart in a square of side `room`, row by row from the origin.
+    fn sites(self, spacing: f64, room: f64) -> impl Iterator<Item = DVec2> {
+        let (rise, shift) = self.rise_and_shift(spacing);
         let rows = (room / rise) as usize + 1;
         let row = move |k: usize| {
             let left = if k % 2 == 1 { shift } else { 0.0 };
-            let columns = if left > room { 0 } else { ((room - left) / spacing) as usize + 1 };
-            (0..columns).map(move |c| DVec2::new(left + c as f64 * spacing, k as f64 * rise))
+            (0..columns(left, spacing, room))
+                .map(move |c| DVec2::new(left + c as f64 * spacing, k as f64 * rise))
         };
         (0..rows).flat_map(row)
     }
@@ -305,7 +324,7 @@ impl Lattice {
         }
         for _ in 0..60 {
             let middle = 0.5 * (fits + too_wide);
-            if self.sites(middle, room).count() >= n {
+            if self.count(middle, room) >= n {
                 fits = middle;
             } else {
                 too_wide = middle;

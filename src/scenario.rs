@@ -9,6 +9,7 @@ mod discs;
 pub mod error;
 mod exclusive;
 pub mod expected;
+mod far;
 pub mod file;
 pub mod finding;
 pub mod framed;
@@ -28,6 +29,7 @@ pub mod settings;
 mod start;
 pub mod study;
 mod suspects;
+pub mod wished;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -306,9 +308,18 @@ impl Scenario {
         (self.time / self.dt()).round() as u64
     }
 
-    /// What to write where and how often, with the defaults filled in; without a
-    /// [`record`](Self::record), which needs the discs.
+    /// What to write where and how often, with the defaults filled in. The record is that of this
+    /// scenario; of the discs of a frame that cannot be placed there is none.
     pub fn output_plan(&self) -> OutputPlan {
+        let record = match &self.discs {
+            DiscSource::Frame { .. } => self.place().map(|discs| self.record(&discs)),
+            _ => Ok(self.record(&[])), // it says how to place them
+        };
+        self.output_plan_with(record.unwrap_or_default())
+    }
+
+    /// The same with this text as the record of the run; none is kept if it is empty.
+    pub fn output_plan_with(&self, record: String) -> OutputPlan {
         let (n, steps, output) = (self.n(), self.steps(), &self.output);
         let frame_every = output.every.unwrap_or_else(|| trajectory::default_every(n, steps));
         OutputPlan {
@@ -318,7 +329,7 @@ impl Scenario {
             energy_every: output.energy_every.unwrap_or_else(|| energy::default_every(steps)),
             side: self.side,
             border: output.border.then_some(self.radius),
-            record: String::new(),
+            record,
         }
     }
 

@@ -20,6 +20,7 @@ use self::input::{one_file, read_table};
 use self::progress::Progress;
 pub(super) use self::target::Target;
 use super::Failure;
+use super::told::Told;
 use crate::analysis::energy::LedgerRow;
 use crate::figure::animation::{self, Animation};
 use crate::figure::forces::{discs, links};
@@ -30,7 +31,7 @@ use crate::figure::survey::Survey;
 use crate::figure::{drift, energy, forces, frame, paths, speeds, velocity};
 use crate::output::frames::Frame;
 use crate::output::record;
-use crate::scenario::file::read as read_scenario;
+use crate::scenario::settings::Settings;
 
 /// Draws what was asked for.
 pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
@@ -215,9 +216,8 @@ fn plot_velocity(arguments: &VelocityArguments) -> Result<(), Failure> {
 fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     let file = FrameFile::named(one_file("forces", &arguments.files)?);
     let target = Target::new(arguments.out.as_deref(), "forces", "svg")?;
-    let record = file.path.with_file_name(record::FILE);
-    let scenario = arguments.scenario(read_scenario(&record).ok())?;
     let (_, one) = file.frame(arguments.frame)?;
+    let scenario = arguments.scenario(law_beside(&file, &one, arguments))?;
     if !has_velocities(&one) {
         input::remark("the frame has no velocities; dashpots are taken to be at rest");
     }
@@ -225,6 +225,28 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     let links = links(&discs(&one, scenario.mass), &scenario.law(), &walls);
     let script = forces::script(&target.stem, &one, &links);
     target.write(&forces::figure(&one, &links), &script)
+}
+
+/// What the record beside the file says, if it is that of the run whose `frame` is drawn. Without one the
+/// flags must say the law; what they leave open is told.
+fn law_beside(file: &FrameFile, frame: &Frame, arguments: &ForcesArguments) -> Option<Settings> {
+    let record = file.path.with_file_name(record::FILE);
+    let told = Told::read(&record).and_then(|told| told.of(frame, false));
+    let why = match told {
+        Ok(Told { said: Ok((settings, _)), .. }) => return Some(settings),
+        Ok(Told { said: Err(why), .. }) => why.to_string(),
+        Err(why) => why.to_string(),
+    };
+    if !arguments.says_all() {
+        let preset = arguments.preset.unwrap_or_default();
+        input::remark(&format!(
+            "{} does not tell of these frames ({why}): what of --mass, --kn, --eta is not said is taken from the \
+             preset {}",
+            record.display(),
+            preset.name()
+        ));
+    }
+    None
 }
 
 /// The speeds of all frames, up to number `until`.

@@ -8,17 +8,17 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::plot::{FrameFile, ledger, pooled_speeds};
+use super::told::{Told, Untold};
 use super::{Failure, answer};
 use crate::figure::Figure;
 use crate::figure::frame::{self, Choice, ColourBy, has_velocities};
 use crate::figure::{energy, speeds};
 use crate::output::failure;
+use crate::output::frames::Frame;
 use crate::output::record;
 use crate::output::replace::replace;
 use crate::page::report::Report;
 use crate::page::words::ENGLISH;
-use crate::scenario::Scenario;
-use crate::scenario::file;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -48,6 +48,13 @@ pub(super) enum ReportError {
     NoRun { path: PathBuf, source: io::Error },
     #[error("--out {} is not possible: {why}\n  way out: --out report.html", path.display())]
     BadOut { path: PathBuf, why: &'static str },
+    #[error(
+        "{} does not tell of the run in that folder: {why}\n  \
+         way out: a folder as a run of parsim2d left it; pictures need no record: parsim2d plot trajectory \
+         trajectory.txt",
+        path.display()
+    )]
+    NotOfThisRun { path: PathBuf, why: String },
 }
 
 pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
@@ -65,15 +72,20 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
 /// Everything there is to show of the run in `folder`, linked to from `out`.
 fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let path = folder.join(record::FILE);
-    let text = fs::read_to_string(&path)
-        .map_err(|source| ReportError::NoRun { path: path.clone(), source })?;
+    let untold = |why: Untold| match why {
+        Untold::Unreadable(source) => ReportError::NoRun { path: path.clone(), source },
+        Untold::Unfit(why) => ReportError::NotOfThisRun { path: path.clone(), why },
+    };
+    let told = Told::read(&path).map_err(untold)?;
+    let frames = FrameFile::named(&folder.join("trajectory.txt"));
+    let (whole, cut) = frames.whole()?;
+    let last = frames.frame(Some(whole - 1))?.1;
+    let Told { text, said } = told.of(&last, cut.is_none()).map_err(untold)?;
     let mut results: Vec<(String, String)> =
         record::results(&text).map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let typed = results.iter().position(|(name, _)| name == record::COMMAND);
     let typed = typed.map(|k| results.remove(k).1);
-    let frames = FrameFile::named(&folder.join("trajectory.txt"));
-    let (whole, cut) = frames.whole()?;
-    let scenario = file::read(&path).and_then(|settings| Scenario::resolve(&settings, || 0));
+    let scenario = said.map(|(_, scenario)| scenario);
     let rows = ledger(&folder.join("energy.csv")).ok(); // none was kept, or it has one line only
     Ok(Report {
         typed,
@@ -91,7 +103,7 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
         diagnosis: scenario.map(|scenario| scenario.diagnosis()).map_err(|why| why.to_string()),
         failure: failure(folder),
         energy: rows.map(|rows| energy::figure(&rows)),
-        frames: [picture(&frames, 0)?, picture(&frames, whole - 1)?],
+        frames: [picture(&frames.frame(Some(0))?.1), picture(&last)],
         cut: cut.map(|why| format!("{}: {why}", whole)),
         speeds: histogram(&frames, whole - 1)?,
         data: data(folder, out),
@@ -118,10 +130,9 @@ fn failure(folder: &Path) -> Vec<(String, String)> {
     keys.into_iter().filter_map(found).collect()
 }
 
-fn picture(file: &FrameFile, index: usize) -> Result<Figure, Failure> {
-    let (_, one) = file.frame(Some(index))?;
-    let by = if has_velocities(&one) { ColourBy::Speed } else { ColourBy::Nothing };
-    Ok(frame::figure(&one, Choice { by, vectors: false }))
+fn picture(one: &Frame) -> Figure {
+    let by = if has_velocities(one) { ColourBy::Speed } else { ColourBy::Nothing };
+    frame::figure(one, Choice { by, vectors: false })
 }
 
 /// The speeds of all frames up to number `last`; of a few discs there is nothing to be learnt from.

@@ -21,6 +21,7 @@ use super::typed::{quoted, with_new_end};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
+use crate::output::number::seconds;
 use crate::output::record;
 use crate::output::recorder::Recorder;
 use crate::output::recorder::continued::is_same_folder;
@@ -210,10 +211,11 @@ fn say_where(scenario: &Scenario, progress: &Progress, file: &Path) {
     }
     let (step, steps, time) = (progress.step, scenario.steps(), progress.time_s);
     let said = match step < steps {
-        true => format!("going on from step {step} of {steps}, t = {time:.6} s"),
+        true => format!("going on from step {step} of {steps}, t = {} s", seconds(time, 6)),
         false => format!(
-            "nothing is left to do: the run has reached its end, step {step}, t = {time:.6} s; to prolong \
+            "nothing is left to do: the run has reached its end, step {step}, t = {} s; to prolong \
              it: parsim2d resume {} --time {:?}",
+            seconds(time, 6),
             quoted(&file.to_string_lossy()),
             2.0 * scenario.time
         ),

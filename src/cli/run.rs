@@ -18,7 +18,7 @@ use super::{Failure, answer, memory};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::OutputError;
 use crate::output::failure::FailureReport;
-use crate::output::recorder::{OutputPlan, Recorder};
+use crate::output::recorder::Recorder;
 use crate::output::summary::Summary;
 use crate::output::{checkpoint, record, wants_room};
 use crate::scenario::finding::Matter;
@@ -56,12 +56,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     spinner.finish_and_clear();
     let note = claim.complete()?;
     interrupt.finish_files_first();
-    let plan = OutputPlan { record, ..scenario.output_plan() };
+    let plan = scenario.output_plan_with(record);
     let recorder = Recorder::create(&plan, &mut simulation)?;
     say_all(&scenario, note.as_slice());
     say_notes(&scenario, &notes, seed_was_drawn);
     let overlap = simulation.largest_overlap();
-    let origin = Origin { command: typed::words(), overlap, resumed: None };
+    let command = typed::words_with(seed_was_drawn.then_some(scenario.seed));
+    let origin = Origin { command, overlap, resumed: None };
     conclude(Stepping::begin(&scenario, simulation, recorder, origin), &interrupt)
 }
 

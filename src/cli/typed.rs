@@ -7,10 +7,16 @@ const ELSEWHERE: [&str; 3] = ["--out-dir", "--checkpoint-every", "--threads"];
 
 /// The words of the command as they were typed, without the folder it wrote to: the same command leaves the
 /// same files in any folder.
-pub(super) fn words() -> Vec<String> {
+fn words() -> Vec<String> {
     let said = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
     let words: Vec<String> = std::iter::once("parsim2d".to_owned()).chain(said).collect();
     ELSEWHERE.iter().fold(words, |words, flag| without(words, flag))
+}
+
+/// The same with the seed that was drawn for them, if one was: as such they repeat the run.
+pub(super) fn words_with(drawn: Option<u64>) -> Vec<String> {
+    let seed = drawn.map(|seed| ["--seed".to_owned(), seed.to_string()]);
+    words().into_iter().chain(seed.into_iter().flatten()).collect()
 }
 
 /// The words as one line for a shell.

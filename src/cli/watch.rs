@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::output::number::seconds;
 use crate::simulation::Simulation;
 
 /// At most so many refreshes of `out.txt` a second.
@@ -108,7 +109,7 @@ impl Watch {
     /// `interrupted` says stop.
     pub fn keep_pace(&self, simulation: &Simulation, interrupted: impl Fn() -> bool) {
         self.bar.set_position(simulation.steps());
-        self.bar.set_message(format!("t = {:.4} s", simulation.time()));
+        self.bar.set_message(format!("t = {} s", seconds(simulation.time(), 4)));
         let Some(slowdown) = self.slowdown else {
             return;
         };

@@ -12,6 +12,7 @@ use super::raster::{Canvas, HUES, palette};
 use super::scene::View;
 use super::survey::Survey;
 use crate::output::frames::Frame;
+use crate::output::number::seconds;
 
 /// Colour of discs whose speeds are not known: blue of Okabe and Ito.
 const PLAIN: [u8; 3] = [0x00, 0x72, 0xb2];
@@ -90,7 +91,9 @@ impl<W: Write> Animation<W> {
             let right_bottom = whole(self.pixel(DVec2::new(side, 0.0)));
             self.canvas.draw_outline(left_top, right_bottom);
         }
-        let clock = frame.time.map_or(format!("frame {index}"), |time| format!("t = {time:.4} s"));
+        let clock = frame
+            .time
+            .map_or(format!("frame {index}"), |time| format!("t = {} s", seconds(time, 4)));
         // Two points a pixel where there is room.
         let scale = if self.size >= 240 { 2 } else { 1 };
         self.canvas.write(&clock, ((0.03 * self.size as f64) as i64, 3), scale);

@@ -7,6 +7,7 @@ use super::colour;
 use super::gnuplot::{self, DataFile};
 use super::scene::{ColourBar, Disc, Extent, Scene, Stroke, View, left_out};
 use crate::output::frames::{Frame, FrameRow};
+use crate::output::number::seconds;
 
 /// The longest arrow, as a fraction of what is shown.
 pub const LONGEST_ARROW: f64 = 0.05;
@@ -99,7 +100,7 @@ pub fn arrows(frame: &Frame, width: f64, tint: impl Fn(f64) -> [u8; 3]) -> Vec<S
 
 /// `t = 0.0100 s, ` if the frame says its time.
 pub fn time(frame: &Frame) -> String {
-    frame.time.map_or(String::new(), |time| format!("t = {time:.4} s, "))
+    frame.time.map_or(String::new(), |time| format!("t = {} s, ", seconds(time, 4)))
 }
 
 /// What a frame's picture shows.

@@ -12,6 +12,7 @@ use super::scene::{Disc, Scene, left_out};
 use super::survey::Survey;
 use super::{Figure, Panel};
 use crate::output::frames::Frame;
+use crate::output::number::seconds;
 
 /// More discs than this have no paths drawn: they would be a tangle.
 pub const MOST_PATHS: usize = 50;
@@ -74,7 +75,8 @@ impl Paths {
 }
 
 fn paths_title(survey: &Survey, last: &Frame) -> String {
-    let until = last.time.map_or(String::new(), |time| format!(" until t = {time:.4} s"));
+    let until =
+        last.time.map_or(String::new(), |time| format!(" until t = {} s", seconds(time, 4)));
     let outside = left_out(last, survey.view());
     format!("Paths of {} discs{until}, {} frames{outside}", survey.discs, survey.frames)
 }
@@ -122,7 +124,7 @@ pub fn moments(frames: usize) -> Vec<usize> {
 
 /// `t = 0.0100 s`, or which frame it is.
 fn moment_title(index: usize, frame: &Frame) -> String {
-    frame.time.map_or(format!("frame {index}"), |time| format!("t = {time:.4} s"))
+    frame.time.map_or(format!("frame {index}"), |time| format!("t = {} s", seconds(time, 4)))
 }
 
 /// The picture of some moments, each with the number of its frame.

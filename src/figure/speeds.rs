@@ -10,6 +10,7 @@ use super::gnuplot::{self, quoted};
 use super::label::short;
 use super::ticks;
 use crate::output::frames::Frame;
+use crate::output::number::seconds;
 
 const BARS: &str = "#56B4E9";
 const CURVE: &str = "#D55E00";
@@ -135,7 +136,7 @@ impl Histogram {
     /// A title for the frames counted: the `time` (s) of one, or that many were pooled.
     pub fn title(&self, time: Option<f64>) -> String {
         match (self.moments.frames, time) {
-            (0 | 1, Some(time)) => format!("Speeds at t = {time:.4} s"),
+            (0 | 1, Some(time)) => format!("Speeds at t = {} s", seconds(time, 4)),
             (0 | 1, None) => "Speeds".to_owned(),
             (frames, _) => format!("Speeds of {frames} frames"),
         }

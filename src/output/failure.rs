@@ -7,6 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::OutputError;
+use super::number::seconds;
 use super::replace::replace;
 
 /// Its name in the output folder.
@@ -85,7 +86,7 @@ impl fmt::Display for FailureReport {
             Some(took) => format!("; damping gave {:.4e} J, which it cannot", -took),
             None => String::new(),
         };
-        writeln!(f, "the run went wrong at step {step}, t = {time_s:.6} s: {what}")?;
+        writeln!(f, "the run went wrong at step {step}, t = {} s: {what}", seconds(*time_s, 6))?;
         writeln!(
             f,
             "  energy: {energy_start_J:.4e} J at the start, {energy_before_J:.4e} J a step before, \

@@ -16,10 +16,16 @@ pub const COMMAND: &str = "command";
 
 const RESULT: &str = "# result: ";
 
-/// Whether `folder` holds a file of this name that no run has written: somebody's own.
+/// Whether a run has written this `text` of such a file.
+pub fn is_one(text: &str) -> bool {
+    text.starts_with("# parsim2d ")
+}
+
+/// Whether `folder` holds a file of this name that no run has written: somebody's own. An empty one is
+/// nobody's loss.
 pub fn is_foreign(folder: &Path) -> bool {
     let text = std::fs::read_to_string(folder.join(FILE));
-    text.is_ok_and(|text| !text.starts_with("# parsim2d "))
+    text.is_ok_and(|text| !text.trim().is_empty() && !is_one(&text))
 }
 
 /// Writes the scenario `text` and `results`, each `NAME = VALUE`, into `folder`.

@@ -34,7 +34,7 @@ pub struct OutputPlan {
     pub side: f64,
     /// Radius of the border discs of `out.txt`, m, if they are wanted.
     pub border: Option<f64>,
-    /// The scenario of the run, for `last-run.toml`.
+    /// The scenario of the run, for `last-run.toml`; none is written if it is empty.
     pub record: String,
 }
 
@@ -61,8 +61,8 @@ impl Recorder {
         let new = |name: &str| NewFile::create(&folder.join(name));
         let (live, trajectory) = (new("out.txt")?, new("trajectory.txt")?);
         let energy = if plan.energy_every > 0 { Some(new("energy.csv")?) } else { None };
-        let mut record = new(record::FILE)?;
-        record.write(plan.record.as_bytes())?;
+        let mut record = if plan.record.is_empty() { None } else { Some(new(record::FILE)?) };
+        record.as_mut().map_or(Ok(()), |file| file.write(plan.record.as_bytes()))?;
 
         let path = |name: &str| folder.join(name);
         let energy_file = match &energy {
@@ -86,7 +86,10 @@ impl Recorder {
         // All have their first frame; only now does anything old go.
         live.take_place()?;
         trajectory.take_place()?;
-        record.take_place()?;
+        match record {
+            Some(record) => record.take_place()?,
+            None => remove_if_there(&path(record::FILE))?, // of a former run, which it alone tells of
+        }
         remove_if_there(&path(failure::FILE))?; // of a former run
         checkpoint::remove(folder)?; // of a former run, whose files are gone
         match energy {
@@ -153,6 +156,9 @@ impl Recorder {
 
     /// Adds what came out of the run to `last-run.toml`, as comments.
     pub fn record_results(&self, results: &[String]) -> Result<(), OutputError> {
+        if self.plan.record.is_empty() {
+            return Ok(());
+        }
         record::write(&self.plan.folder, &self.plan.record, results)
     }
 

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::number::seconds;
 use crate::analysis::answer::Answer;
 
 /// Discs from which on a person may want to know the memory.
@@ -110,7 +111,7 @@ impl Summary {
         let dissipated = self.dissipated_J.map(|d| format!(", {d:.6e} J dissipated"));
         writeln!(out, "n        {n} discs, preset {preset}, seed {seed}")?;
         writeln!(out, "dt       {dt_s:.4e} s ({}), {integrator}", self.who_set_dt())?;
-        writeln!(out, "run      {steps} steps to t = {time_s:.6} s{stopped}")?;
+        writeln!(out, "run      {steps} steps to t = {} s{stopped}", seconds(*time_s, 6))?;
         let threads = match self.threads {
             1 => String::new(),
             threads => format!(" on {threads} threads"),

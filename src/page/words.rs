@@ -10,7 +10,7 @@ pub struct Words {
     pub report: &'static str,
     /// Heading of the way to repeat the run.
     pub how_to_repeat: &'static str,
-    /// Before the command as it was typed.
+    /// Before the command as it was typed, a drawn seed added.
     pub typed: &'static str,
     /// Before the command that repeats the run.
     pub repeats: &'static str,
@@ -69,7 +69,7 @@ pub const ENGLISH: Words = Words {
     code: "en",
     report: "Report of a simulation",
     how_to_repeat: "How to repeat it",
-    typed: "As it was typed: ",
+    typed: "As it was typed, with its seed: ",
     repeats: "The same run again, from the file beside this page: ",
     parameters: "Parameters",
     results: "Results",

@@ -64,8 +64,7 @@ impl Scenario {
         Ok(OutputPlan {
             frame_every: written.frame_every,
             energy_every: written.energy_every,
-            record: self.record(&start),
-            ..self.output_plan()
+            ..self.output_plan_with(self.record(&start))
         })
     }
 }

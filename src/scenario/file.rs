@@ -4,10 +4,11 @@ use std::path::Path;
 
 use super::error::ScenarioError;
 use super::settings::Settings;
+use super::wished::{Wish, wish};
 
 /// Reads the scenario file `path`.
 ///
-/// Unknown keys are errors that name the nearest known one; mistakes are told with line and column.
+/// Unknown keys are errors that name the nearest known one, or say what is not there; mistakes are told with line and column.
 pub fn read(path: &Path) -> Result<Settings, ScenarioError> {
     let text = std::fs::read_to_string(path)
         .map_err(|source| ScenarioError::Unreadable { path: path.to_owned(), source })?;
@@ -38,6 +39,9 @@ fn message(original: &str, line: &str) -> String {
         (is_unknown_key || original.starts_with("unknown variant"), quoted.next())
     {
         let kind = if is_unknown_key { "key" } else { "name" };
+        if let Some(Wish { lacks, nearest, .. }) = wish(unknown) {
+            return format!("unknown {kind} `{unknown}`: {lacks}\n  way out: {nearest}");
+        }
         let known: Vec<&str> = quoted.collect();
         let advice = match did_you_mean(unknown, &known) {
             Some(near) => format!("did you mean `{near}`?"),

@@ -98,9 +98,9 @@ impl FromStr for Gravity {
         let bare = text.trim();
         let listed = bare.strip_prefix('[').and_then(|text| text.strip_suffix(']'));
         let Some((x, y)) = listed.unwrap_or(bare).split_once(',') else {
-            let number: Quantity<Acceleration> = bare.parse().map_err(|why| {
-                format!("{why}; nor a vector [gx, gy], as [0, -9.81], y up")
-            })?;
+            let number: Quantity<Acceleration> = bare
+                .parse()
+                .map_err(|why| format!("{why}; nor a vector [gx, gy], as [0, -9.81], y up"))?;
             return Ok(Self::down(number.si));
         };
         let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
@@ -113,7 +113,10 @@ impl FromStr for Gravity {
         let component = |text: &str| text.parse::<Quantity<Acceleration>>().map(|said| said.si);
         match (component(x), component(y)) {
             (Ok(x), Ok(y)) => Ok(Self::of([x, y])),
-            _ => Err("not two numbers (in m/s2): a vector is [gx, gy], as [0, -9.81], y up".to_owned()),
+            _ => {
+                Err("not two numbers (in m/s2): a vector is [gx, gy], as [0, -9.81], y up"
+                    .to_owned())
+            }
         }
     }
 }

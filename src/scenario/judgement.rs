@@ -26,6 +26,7 @@ impl Scenario {
     pub fn findings(&self) -> Vec<Finding> {
         let found = [
             self.start_finding(),
+            self.far_finding(),
             self.step_finding(),
             self.travel_finding(),
             self.explicit_euler(),

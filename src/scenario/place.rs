@@ -9,6 +9,7 @@ use super::overlap::Overlap;
 use super::settings::PlacementName;
 use super::{DiscSource, Population, Scenario};
 use crate::particle::Particle;
+use crate::placement::thrown::throw;
 use crate::placement::{self, PlacementError};
 use crate::simulation::place_discs;
 
@@ -24,13 +25,15 @@ impl Scenario {
         let mut particles = self.placed(self.seed).map_err(|why| self.box_too_full(why))?;
         // Directions have a stream of random numbers of their own.
         let mut generator = placement::generator(!self.seed);
-        let speeds = groups.iter().flat_map(|group| std::iter::repeat_n(group.speed, group.n));
-        for (disc, speed) in particles[fixed..].iter_mut().zip(speeds) {
-            if speed > 0.0 {
-                disc.velocity = speed * placement::direction(&mut generator);
+        let (fixed_discs, mut placed) = particles.split_at_mut(fixed);
+        for group in groups {
+            let (of_group, others) = placed.split_at_mut(group.n);
+            if group.speed > 0.0 {
+                throw(of_group, group.speed, &mut generator);
             }
+            placed = others;
         }
-        self.set_speed_of_frame(&mut particles[..fixed], &mut generator);
+        self.set_speed_of_frame(fixed_discs, &mut generator);
         Ok(particles)
     }
 
@@ -98,9 +101,7 @@ impl Scenario {
     /// `--speed` beside a `--start` file that has no velocities.
     fn set_speed_of_frame(&self, discs: &mut [Particle], generator: &mut Pcg64) {
         if matches!(self.discs, DiscSource::Frame { .. }) && self.speed > 0.0 {
-            for disc in discs {
-                disc.velocity = self.speed * placement::direction(generator);
-            }
+            throw(discs, self.speed, generator);
         }
     }
 
@@ -151,6 +152,10 @@ impl Scenario {
 
     /// A placement error with ways out, each tried before it is offered.
     fn box_too_full(&self, source: PlacementError) -> ScenarioError {
+        if let (PlacementName::Lattice, DiscSource::Equal(_)) = (self.placement, &self.discs) {
+            let way_out = self.what_fits_a_lattice().join(", or ");
+            return ScenarioError::BoxTooFull { source, way_out };
+        }
         let fraction = self.packing_fraction();
         // Comfortably below the random limit; walls cost some room too.
         let shrink = (0.4 / fraction).min(0.8);
@@ -177,6 +182,29 @@ impl Scenario {
             false => ways_out.join(", or "),
         };
         ScenarioError::BoxTooFull { source, way_out }
+    }
+
+    /// What a lattice holds: the most discs of this radius, the largest ones of this number, the smallest
+    /// box for them, to two digits.
+    fn what_fits_a_lattice(&self) -> Vec<String> {
+        let n = self.n();
+        let holds = |radius: f64, side: f64| placement::lattice_capacity(radius, side) >= n;
+        let most = placement::lattice_capacity(self.radius, self.side);
+        let mut ways_out = Vec::new();
+        if most > 0 {
+            ways_out.push(format!("-n {most}"));
+        }
+        let two_digits = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
+        // By steps of one in the second digit; what a lattice covers lies between 0.5 and 0.9069 of the box.
+        let (mut radius, mut side) = (two_digits(self.radius), two_digits(self.side));
+        while !holds(radius, self.side) {
+            radius = two_digits(radius - 0.1 * 10f64.powf((0.999 * radius).log10().floor()));
+        }
+        while !holds(self.radius, side) {
+            side = two_digits(side + 0.1 * 10f64.powf(side.log10().floor()));
+        }
+        ways_out.extend([format!("--radius {}", Num(radius)), format!("--side {}", Num(side))]);
+        ways_out
     }
 
     /// Whether the discs can be placed with this seed and the next few. For very many discs the

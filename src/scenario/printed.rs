@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write};
 
+use super::settings::Settings;
 use super::{DampingChoice, DiscSource, DtSetBy, Scenario, StepChoice};
 use crate::particle::Particle;
 
@@ -145,6 +146,26 @@ impl Scenario {
             writeln!(out, "speed = {:?} # m/s", group.speed)?;
         }
         Ok(())
+    }
+}
+
+impl Settings {
+    /// Whether they say all that a printed scenario says: less would be filled up by a preset, and tell
+    /// of a run that never was.
+    pub fn is_whole(&self) -> bool {
+        let dampings = [self.eta.is_some(), self.gamma.is_some(), self.restitution.is_some()];
+        self.preset.is_some()
+            && self.seed.is_some()
+            && self.side.is_some()
+            && self.mass.is_some()
+            && self.gravity.is_some()
+            && self.kn.is_some()
+            && dampings.contains(&true)
+            && self.no_tension.is_some()
+            && self.walls.is_some()
+            && self.time.is_some()
+            && self.integrator.is_some()
+            && self.allow_unstable.is_some()
     }
 }
 

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::gravity::Gravity;
 use super::preset::Preset;
 use super::quantity::{
-    Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time,
-    thread_count, whole_number,
+    Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time, thread_count,
+    whole_number,
 };
 
 /// Declares the settings once; merges them field by field.
@@ -171,7 +171,7 @@ settings! {
 
 impl Settings {
     /// Flags over file. A damping, a time step or a choice of discs said in a flag replaces any said
-    /// in the file.
+    /// in the file; `--start` replaces all that the file says of them, their speed too.
     pub fn over(self, mut file: Self) -> Self {
         if self.eta.is_some() || self.gamma.is_some() || self.restitution.is_some() {
             (file.eta, file.gamma, file.restitution) = (None, None, None);
@@ -187,7 +187,7 @@ impl Settings {
             (file.discs, file.populations) = (Vec::new(), Vec::new());
         }
         if self.start.is_some() {
-            (file.radius, file.placement) = (None, None);
+            (file.radius, file.placement, file.speed) = (None, None, None);
         }
         self.or(file)
     }

@@ -200,6 +200,12 @@ pub struct ForcesArguments {
 }
 
 impl ForcesArguments {
+    /// Whether nothing of the law has to be taken from elsewhere.
+    pub fn says_all(&self) -> bool {
+        let damping = [self.eta.is_some(), self.gamma.is_some(), self.restitution.is_some()];
+        self.mass.is_some() && self.kn.is_some() && damping.contains(&true)
+    }
+
     /// A scenario with the law that was said.
     pub fn scenario(&self, run: Option<Settings>) -> Result<Scenario, ScenarioError> {
         let flags = Settings {
