@@ -29,7 +29,7 @@ pub trait Integrator: Send {
 /// Eq. (3), the guide's Euler: v' = v + a dt; x' = x + v' dt. The *new* velocity moves the disc.
 ///
 /// Also called semi-implicit Euler or Euler-Cromer (Cromer 1981). First order inside a contact,
-/// its energy error is bounded: after an elastic contact only O(dt²) is left.
+/// its energy error is bounded: after an elastic contact only O(dt²) is left; after a damped one O(dt).
 pub struct SymplecticEuler;
 
 impl Integrator for SymplecticEuler {
@@ -52,8 +52,10 @@ impl Integrator for ExplicitEuler {
     }
 }
 
-/// Velocity Verlet (Swope et al. 1982): second order, two half-kicks around a drift.
+/// Velocity Verlet (Swope et al. 1982): two half-kicks around a drift, and of second order where forces hang
+/// on positions alone.
 ///
+/// With a dashpot it is of *first* order inside a contact, as Eq. (3): the same restitution to the digit.
 /// The dashpot is fed the half-step velocity, F(x', v + a dt/2), and that force serves both this
 /// step's second half-kick and the next step's first. Positions are those of Eq. (3) started
 /// half a kick earlier, so the stability limit is the same.

@@ -52,7 +52,7 @@ const SCENES: [(&str, &str, u64); 10] = [
 /// The discs of a scene; those of the one without walls and gravity in a strip of a few long rows.
 fn discs(start: &Scenario) -> Vec<Particle> {
     let mut discs = start.build().unwrap().particles().to_vec();
-    if !start.walls && start.gravity == 0.0 {
+    if !start.walls && start.gravity.is_nothing() {
         let n = discs.len();
         for (k, disc) in discs.iter_mut().enumerate() {
             let golden = (0.618_034 * k as f64).fract();

@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use parsim2d::scenario::gravity::Gravity;
 use parsim2d::scenario::settings::Settings;
 use parsim2d::scenario::{DtSetBy, Scenario, StepChoice, file};
 use proptest::prelude::*;
@@ -77,7 +78,7 @@ fn the_guides_numbers_are_the_defaults() {
     let scenario = layered("", "");
     assert_eq!(
         (scenario.n(), scenario.side, scenario.radius, scenario.mass, scenario.gravity),
-        (20, 0.04, 1e-4, 1e-3, 9.81)
+        (20, 0.04, 1e-4, 1e-3, Gravity::down(9.81))
     );
     assert_eq!((scenario.stiffness, scenario.time), (5e4, 1.0));
     assert_eq!(scenario.damping.flag_and_value(), ("--eta", 1.5e-3));
@@ -156,6 +157,9 @@ fn ways_out_of_a_box_too_full_find_room() {
         "n = 10\nradius = 0.01",
         "n = 5\nradius = 0.015",
         "n = 3000\nradius = 1e-3\nplacement = 'lattice'",
+        "n = 101\nradius = 2e-3\nplacement = 'lattice'",
+        "n = 2\nradius = 0.0199\nplacement = 'lattice'",
+        "n = 40000\nradius = 1.3e-4\nplacement = 'lattice'",
         "n = 1\nradius = 0.03\nwalls = false",
         "n = 20\nradius = 1\nwalls = false",
         "[[disc]]\nposition = [0.02, 0.02]\n[[population]]\nn = 1150\nradius = 5e-4",
@@ -200,26 +204,35 @@ fn a_radius_that_no_disc_has_is_not_judged() {
 
 #[test]
 fn stability_is_judged_by_the_number_of_discs() {
-    // (2/omega0)(sqrt(1+zeta²) - zeta) sqrt(k/m): 2 for one disc, sqrt 2 for a pair, and
-    // 2/sqrt(6.1) = 0.8098 from three discs on.
+    // (2/omega0)(sqrt(1+zeta²) - zeta) sqrt(k/m): 2 for one disc, sqrt 2 for a pair in the open, 2/sqrt(2.618)
+    // for a pair of which a wall holds one, and 2/sqrt(6.1) = 0.8098 from three discs on.
     let unit = (1e-3f64 / 5e4).sqrt();
-    for (n, limit) in [(1, 2.0), (2, 2.0f64.sqrt()), (3, 2.0 / 6.1f64.sqrt()), (1000, 0.80978)] {
+    let golden = 0.5 * (1.0 + 5.0f64.sqrt()); // its square is 2.618
+    for (discs, limit) in [
+        ("n = 1", 2.0),
+        ("n = 1\nwalls = false", 2.0),
+        ("n = 2\nwalls = false", 2.0f64.sqrt()),
+        ("n = 2", 2.0 / golden),
+        ("n = 3", 2.0 / 6.1f64.sqrt()),
+        ("n = 3\nwalls = false", 2.0 / 6.1f64.sqrt()),
+        ("n = 1000", 0.80978),
+    ] {
         for (factor, accepted) in [(0.999, true), (1.001, false)] {
             let dt = factor * limit * unit;
             // Without gravity: a fall would be fast enough to pass by others in such steps.
-            let text = format!("n = {n}\neta = 0\ngravity = 0\ndt = {dt:e}");
+            let text = format!("{discs}\neta = 0\ngravity = 0\ndt = {dt:e}");
             assert_eq!(Scenario::resolve(&settings(&text), || 1).is_ok(), accepted, "{text}");
         }
     }
 }
 
 #[test]
-fn the_limit_of_two_unequal_discs_is_that_of_their_reduced_mass() {
+fn the_limit_of_two_unequal_discs_in_the_open_is_that_of_their_reduced_mass() {
     // omega² = k (1/m_i + 1/m_j): 5e4 * (1000 + 250) 1/s², limit 2/omega.
     let limit = 2.0 / (5e4f64 * 1250.0).sqrt();
     for (factor, accepted) in [(0.999, true), (1.001, false)] {
         let text = format!(
-            "eta = 0\ngravity = 0\ndt = {:e}\n[[disc]]\nposition = [0.01, 0.02]\n\
+            "eta = 0\nwalls = false\ngravity = 0\ndt = {:e}\n[[disc]]\nposition = [0.01, 0.02]\n\
              [[disc]]\nposition = [0.03, 0.02]\nmass = 4e-3",
             factor * limit
         );
@@ -333,7 +346,7 @@ fn some_scenario() -> impl Strategy<Value = String> {
         one("seed", &["0", "7", "9223372036854775807"]),
         one("side", &["0.05", "'6cm'"]),
         one("radius", &["1.23456789012345e-4", "'0.2mm'"]),
-        one("gravity", &["0", "-9.81", "1.62"]),
+        one("gravity", &["0", "-9.81", "1.62", "[1.5, -9.81]", "[0, 0]", "[-3, '2cm/s2']"]),
         one("kn", &["1e5", "'50 kN/m'"]),
         one("restitution", &["1", "0.3", "0.1"]),
         one("no_tension", &["true", "false"]),

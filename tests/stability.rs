@@ -1,9 +1,9 @@
 //! The largest stable time step: by eigenvalues of the step's matrix, by those of contact networks,
 //! and by running just below and just above it.
 
-use crate::support::{ELASTIC, MASS, RADIUS, STIFFNESS, contacts, law, walls};
+use crate::support::{ELASTIC, MASS, RADIUS, STIFFNESS, contacts, floor, law, walls};
 use glam::DVec2;
-use parsim2d::analysis::stability::{Assembly, LimitedBy, Species, limit, mode_limit};
+use parsim2d::analysis::stability::{Assembly, LimitedBy, Species, TwoAtWalls, limit, mode_limit};
 use parsim2d::force::HalfPlane;
 use parsim2d::integrator::SymplecticEuler;
 use parsim2d::neighbours::all_pairs;
@@ -184,5 +184,141 @@ fn beds_of_unequal_discs_stay_below_the_rule() {
         let assembly = Assembly::of(&scenario.species(), Some(0.02));
         let rule = assembly.large_disc.max(6.1 / assembly.lightest);
         assert!(lambda <= rule && lambda > 2.0 / assembly.lightest, "{radius}: {lambda} {rule}");
+    }
+}
+
+/// Two discs in a box at every place where they touch, each at up to two walls: the fastest of all their
+/// vibrations, omega²/k_n.
+fn fastest_of_two(masses: [f64; 2], radii: [f64; 2], side: f64) -> f64 {
+    let planes = HalfPlane::square(side);
+    let depth = 1e-7 * radii[0].min(radii[1]); // what counts as a touch
+    let mut fastest = 0.0_f64;
+    let inside = |radius: f64, at: DVec2| {
+        at.min_element() > radius - 2.0 * depth && at.max_element() < side - radius + 2.0 * depth
+    };
+    let mut look = |first: DVec2, second: DVec2| {
+        if inside(radii[0], first) && inside(radii[1], second) {
+            let discs =
+                [(first, 0), (second, 1)].map(|(at, k)| Particle::at_rest(at, radii[k], masses[k]));
+            fastest = fastest.max(fastest_lambda(&discs, &planes));
+        }
+    };
+    let reach = radii[0] + radii[1] - depth;
+    for k in 0..=60 {
+        let direction = DVec2::from_angle(std::f64::consts::FRAC_PI_2 * f64::from(k) / 60.0);
+        // One in a corner, the other along the line; and the other way round.
+        for here in 0..2 {
+            let corner = DVec2::splat(radii[here] - depth);
+            let places = [corner, corner + reach * direction];
+            look(places[here], places[1 - here]);
+        }
+    }
+    for here in 0..2 {
+        let there = 1 - here;
+        // Both on one floor, the one in the corner or in the middle; and from wall to wall.
+        let (low, high) = (radii[here] - depth, radii[there] - depth);
+        let along = (reach * reach - (high - low) * (high - low)).sqrt();
+        for left in [low, 0.3 * side] {
+            let mut places = [DVec2::ZERO; 2];
+            (places[here], places[there]) = (DVec2::new(left, low), DVec2::new(left + along, high));
+            look(places[0], places[1]);
+        }
+        let across = side - radii[here] - radii[there] + 2.0 * depth;
+        if across < reach {
+            let up = (reach * reach - across * across).sqrt();
+            let mut places = [DVec2::ZERO; 2];
+            places[here] = DVec2::splat(low);
+            places[there] = places[here] + DVec2::new(across, up);
+            look(places[0], places[1]);
+        }
+    }
+    fastest
+}
+
+#[test]
+fn two_discs_at_walls_vibrate_as_fast_as_the_rule_says_and_no_faster() {
+    let elastic = law(ELASTIC);
+    for (masses, radii, side) in [
+        ([1.0, 1.0], [1.0, 1.0], 40.0),   // golden section, squared
+        ([1.0, 1e3], [1.0, 10.0], 200.0), // squeezed: 2/m
+        ([1e3, 1.0], [1.0, 10.0], 200.0),
+        ([1.0, 4.0], [1.0, 1.0], 40.0),
+        ([4.0, 1.0], [1.0, 3.0], 40.0),
+        ([1.0, 1.0], [1.0, 4.0], 40.0), // both on one floor: faster than in line
+        ([1.0, 1.0], [1.0, 9.0], 60.0), // the small one in the corner does not reach the large one
+        ([2.0, 1.0], [1.0, 9.0], 60.0),
+        ([1.0, 1.0], [1.0, 1.0], 3.9), // from wall to wall
+        ([1.0, 2.0], [1.0, 1.3], 4.3),
+        ([1.0, 1.0], [1.0, 1.0], 3.45), // in opposite corners, nearly
+    ] {
+        let seen = fastest_of_two(masses, radii, side);
+        let two = TwoAtWalls { masses, radii, side };
+        let omega = 2.0 / two.limit(&elastic);
+        let rule = omega * omega / elastic.stiffness;
+        // Places are tried in steps of 1.5 degrees, and contacts 1e-7 deep turn the normal by as much.
+        let error = seen / rule - 1.0;
+        assert!((-1e-3..1e-5).contains(&error), "{masses:?} {radii:?} {side}: {seen} {rule}");
+    }
+}
+
+#[test]
+fn the_closed_forms_of_two_discs_and_a_wall_hold() {
+    let limit = |masses: [f64; 2], damping| {
+        let two = TwoAtWalls { masses, radii: [1e-3; 2], side: 1.0 };
+        two.limit(&law(damping))
+    };
+    // The larger root of the chain wall - a - b: (2/a - L)(1/b - L) = 1/(a b).
+    for (a, b) in [(1e-3f64, 1e-3f64), (1e-3, 1.0), (1e-3, 5e-3), (1e-6, 1e-3)] {
+        let half = 0.5 * (2.0 / a + 1.0 / b);
+        let lambda = half + (half * half - 1.0 / (a * b)).sqrt();
+        for masses in [[a, b], [b, a]] {
+            let expected = mode_limit(STIFFNESS, 0.0, lambda);
+            assert!((limit(masses, ELASTIC) / expected - 1.0).abs() < 1e-12, "{masses:?}");
+            // One eta_n for all contacts damps the mode like its stiffness.
+            let eta = 0.3 * (STIFFNESS / lambda).sqrt();
+            let expected = mode_limit(STIFFNESS, eta, lambda);
+            let found = limit(masses, Damping::Coefficient(eta));
+            assert!((found / expected - 1.0).abs() < 1e-12, "{masses:?}");
+        }
+    }
+}
+
+#[test]
+fn a_stack_of_two_holds_below_the_limit_and_explodes_above() {
+    // Both orders, and a damping that is not the same coefficient for pair and wall.
+    for (masses, damping) in [
+        ([MASS, MASS], ELASTIC),
+        ([MASS, 1000.0 * MASS], ELASTIC),
+        ([MASS, MASS], Damping::Ratio(0.4)),
+        ([MASS, 3.0 * MASS], Damping::Rate(4e3)),
+    ] {
+        let law = law(damping);
+        let radii = [RADIUS; 2];
+        let limit = TwoAtWalls { masses, radii, side: 0.04 }.limit(&law);
+        for (factor, grows) in [(0.999, false), (1.001, true)] {
+            // Pressed to the floor 1 % of a radius deep, and moved a hair: no contact opens.
+            let depth = 0.01 * RADIUS;
+            let push = STIFFNESS * depth / masses.iter().sum::<f64>();
+            let between = masses[1] * push / STIFFNESS;
+            let low = RADIUS - depth;
+            let heights = [low, low + 2.0 * RADIUS - between];
+            let mut discs =
+                [0, 1].map(|k| Particle::at_rest(DVec2::new(0.0, heights[k]), RADIUS, masses[k]));
+            let start = 1e-9 * depth * (STIFFNESS / MASS).sqrt(); // m/s
+            discs[0].velocity.y = start;
+            let forces = vec![walls(law, &[floor()]), contacts(law)];
+            let (discs, gravity) = (discs.to_vec(), DVec2::new(0.0, -push));
+            let integrator = Box::new(SymplecticEuler);
+            let mut run = Simulation::new(discs, gravity, forces, integrator, factor * limit);
+            (0..400).for_each(|_| run.step());
+            let fastest =
+                run.particles().iter().map(|disc| disc.velocity.length()).fold(0.0, f64::max);
+            // Above by 0.001 a mode grows by e in 1/(2 sqrt(0.002)) = 11 steps or sooner; below it beats.
+            assert_eq!(
+                fastest > 1e4 * start,
+                grows,
+                "{masses:?} {damping:?} {factor}: {fastest} {start}"
+            );
+        }
     }
 }

@@ -92,14 +92,7 @@ impl Question {
     pub fn answer(&self, build: &dyn Fn(Vec<Particle>, f64) -> Option<Simulation>) -> Answer {
         let Some(expected) = self.expected() else { return Answer::default() };
         let Some(rows) = self.compare(&expected, build) else { return Answer::default() };
-        let remark = (expected.turn > 1e-3).then(|| {
-            format!(
-                "the discs turn about each other by {:.1e} rad while they touch; theory takes the \
-                 normal as fixed, so that a small error stays at any dt",
-                expected.turn
-            )
-        });
-        Answer { rows, remark }
+        Answer { rows, remark: expected.turning().or_else(|| expected.weighing()) }
     }
 
     fn compare(

@@ -4,7 +4,8 @@
 //!   present state, the last is what the dashpots took. Its change since the start is the
 //!   *integration error*: it says whether the time step is right. For Eq. (3) it is O(dt) while
 //!   a contact lasts and O(dt²) after it; in free fall it is -m g v dt/2, a saw-tooth in step
-//!   with the speed that comes back at the bounce, not a drift. Velocity Verlet has O(dt²).
+//!   with the speed that comes back at the bounce, not a drift. Velocity Verlet has O(dt²) in both.
+//!   With a dashpot the O(dt) stays after the contact, whichever of the two steps.
 //! - `work_error = (K - K0) - (sum of works)`, each work F . (v + v')/2 dt gathered at its kick.
 //!   A kick changes K by exactly that much, so this closes to *round-off* at any time step. It
 //!   says whether the bookkeeping is right, and nothing about accuracy: a run that explodes

@@ -105,13 +105,13 @@ impl Scenario {
                 ContactEnd::OverlapZero => "overlap zero: the dashpot may pull as discs part",
                 ContactEnd::ForceZero => "force zero: --no-tension",
             },
-            figures: self.figures(),
+            figures: self.figures(&findings),
             limits: self.limit_figures(),
             findings,
         }
     }
 
-    fn figures(&self) -> Vec<Figure> {
+    fn figures(&self, findings: &[Finding]) -> Vec<Figure> {
         let pair = (self.n() > 1).then(|| self.expected_pair());
         let wall = self.walls.then(|| self.expected_wall());
         let judged = |figure: Figure, judge: &dyn Fn(f64) -> Verdict| {
@@ -132,9 +132,9 @@ impl Scenario {
             row("undamped frequency omega0, 1/s", |c| c.angular_frequency),
             row("damping ratio zeta", |c| c.damping_ratio),
             row("duration of a contact tau, s", |c| c.duration),
-            row("restitution e", |c| c.restitution),
-            self.stepped(pair.as_ref(), wall.as_ref()),
+            row("restitution e, without a weight", |c| c.restitution),
             self.with_weight(),
+            self.stepped(pair.as_ref(), wall.as_ref(), findings),
             judged(row("time steps in a contact", |c| c.steps), &|steps| {
                 if steps < FEWEST_STEPS { Verdict::Coarse } else { Verdict::Good }
             }),
@@ -153,19 +153,24 @@ impl Scenario {
         ]
     }
 
-    /// Restitution as the time step gives it.
-    fn stepped(&self, pair: Option<&ExpectedContact>, wall: Option<&ExpectedContact>) -> Figure {
+    /// Restitution as the time step gives it, without a weight.
+    fn stepped(
+        &self,
+        pair: Option<&ExpectedContact>,
+        wall: Option<&ExpectedContact>,
+        findings: &[Finding],
+    ) -> Figure {
         let stepped = |contact: Option<&ExpectedContact>| {
             contact.and_then(|contact| self.stepped_restitution(contact))
         };
-        let judged = self.findings().into_iter().find(|f| f.matter == Matter::Restitution);
+        let missed = findings.iter().find(|finding| finding.matter == Matter::Restitution);
         let [pair, wall] = [pair, wall].map(stepped);
         let any = pair.or(wall).is_some();
         Figure {
-            name: "restitution e at this time step",
+            name: "e as this time step gives it",
             pair,
             wall,
-            verdict: any.then(|| judged.map_or(Verdict::Good, |found| found.verdict)),
+            verdict: any.then(|| missed.map_or(Verdict::Good, |found| found.verdict)),
         }
     }
 
@@ -173,7 +178,7 @@ impl Scenario {
     /// measures. The slower it comes, the less; this is at the speed to expect.
     fn with_weight(&self) -> Figure {
         let wall = self.walls.then(|| self.bounce_with_weight()).flatten();
-        Figure { name: "the same under its weight, at that speed", pair: None, wall, verdict: None }
+        Figure { name: "e with the weight on it, after a fall", pair: None, wall, verdict: None }
     }
 
     fn limit_figures(&self) -> Vec<LimitFigure> {

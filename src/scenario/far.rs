@@ -3,6 +3,7 @@
 use super::finding::{Finding, Matter, Verdict};
 use super::number::Num;
 use super::{DiscSource, Scenario};
+use crate::analysis::twin::next_up;
 use crate::particle::Particle;
 
 /// A step of fewer spacings than this is rounded by an eighth of itself, or more.
@@ -85,5 +86,5 @@ fn is_lost(at: f64, path: f64) -> bool {
 
 /// From a number to its next neighbour away from zero.
 fn spacing_at(at: f64) -> f64 {
-    at.abs().next_up() - at.abs()
+    next_up(at.abs()) - at.abs()
 }

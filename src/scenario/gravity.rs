@@ -126,7 +126,7 @@ impl<'de> Deserialize<'de> for Gravity {
         #[derive(Deserialize)]
         #[serde(
             untagged,
-            expecting = "a number in m/s2 (downward), a string with a unit, or a vector [gx, gy], y up"
+            expecting = "gravity is a number in m/s2 (downward), a string with a unit, or a vector [gx, gy], y up"
         )]
         enum Said {
             Number(f64),

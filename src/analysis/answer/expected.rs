@@ -25,6 +25,33 @@ pub(super) struct Expected {
     pub turn: f64, // rad
 }
 
+impl Expected {
+    /// What to say of a pair that turns.
+    pub fn turning(&self) -> Option<String> {
+        (self.turn > 1e-3).then(|| {
+            format!(
+                "the discs turn about each other by {:.1e} rad while they touch; theory takes the \
+                 normal as fixed, so that a small error stays at any dt",
+                self.turn
+            )
+        })
+    }
+
+    /// What to say where the weight of a disc, which pushes it into the wall while it touches, shows in its
+    /// restitution.
+    pub fn weighing(&self) -> Option<String> {
+        let weightless = Touch { push: 0.0, ..self.touch }.bounce().parting?.speed;
+        let with = self.bounce.parting?.speed;
+        let shows = (with - weightless).abs() > 1e-4 * weightless;
+        shows.then(|| {
+            format!(
+                "restitution is that of a disc with its weight on it; without, as `check` has it first, e = {:.4}",
+                weightless / self.touch.speed
+            )
+        })
+    }
+}
+
 impl Question {
     /// The first contact, where theory has it in closed form.
     pub(super) fn expected(&self) -> Option<Expected> {
