@@ -28,6 +28,7 @@ mod grade_submissions;
 mod guard;
 mod hash_matrix;
 mod live;
+mod live_view;
 mod long_runs;
 mod neighbours;
 mod one_folder;
