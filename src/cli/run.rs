@@ -180,14 +180,18 @@ fn drawn_seed() -> u64 {
     u64::from(drawn.unwrap_or_else(|_| std::process::id()))
 }
 
+/// The seed shares a line with the first note: a usual run has one line of notes.
 fn say_notes(scenario: &Scenario, notes: &[String], seed_was_drawn: bool) {
-    if !scenario.output.quiet {
-        if seed_was_drawn {
-            let seed = scenario.seed;
-            let _ =
-                writeln!(io::stderr(), "note: seed {seed}, drawn; --seed {seed} repeats this run");
+    let seed = scenario.seed;
+    let drawn =
+        seed_was_drawn.then(|| format!("seed {seed}, drawn; --seed {seed} repeats this run"));
+    match (drawn, notes) {
+        (Some(drawn), [first, rest @ ..]) => {
+            say(scenario, &format!("{drawn}; {first}"));
+            say_all(scenario, rest);
         }
-        say_all(scenario, notes);
+        (Some(drawn), []) => say(scenario, &drawn),
+        (None, notes) => say_all(scenario, notes),
     }
 }
 
@@ -239,6 +243,9 @@ fn report(scenario: &Scenario, summary: &Summary, start_overlap: f64) -> io::Res
     out.flush()
 }
 
+/// Overlap, in radii, at which the centres of two equal discs meet: they may have passed through each other.
+const CENTRES_MEET: f64 = 2.0;
+
 /// What to say after the largest overlap; at the start it was `start`. In a run whose energy went astray softness is not the
 /// cause, and is not blamed.
 fn remark(scenario: &Scenario, summary: &Summary, start: f64) -> Option<String> {
@@ -262,6 +269,10 @@ fn remark(scenario: &Scenario, summary: &Summary, start: f64) -> Option<String> 
     // One number only: the one that was told before the run.
     let findings = scenario.findings();
     let told = findings.into_iter().find(|finding| finding.matter == Matter::Softness);
+    let is_told = told.as_ref().is_some_and(|told| scenario.is_of_the_guide(told));
+    if is_told && overlap < CENTRES_MEET {
+        return None; // told before the run, and `check` tells more
+    }
     let cures = told.map_or_else(|| scenario.cure_for_softness(overlap), |told| told.ways_out);
     Some(format!(": more than half a radius, discs too soft; try {}", cures.join(" or ")))
 }
