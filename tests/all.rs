@@ -46,5 +46,6 @@ mod sheet_recipes;
 mod sheets;
 mod stability;
 mod stack;
+mod supplied;
 mod twin;
 mod workshop;

@@ -25,6 +25,7 @@ use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
 use crate::simulation::time_step;
+use crate::work::Works;
 
 #[derive(Args, Clone)]
 pub(super) struct RunArguments {
@@ -202,7 +203,9 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
     let particle_steps = n as f64 * watch.steps(simulation) as f64;
     let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
-    let dissipated = simulation.works().map(|works| 0.0 - works.dashpot.value());
+    let works = simulation.works();
+    let dissipated = works.map(|works| 0.0 - works.dashpot.value());
+    let supplied = works.map_or(0.0, Works::supplied);
     Summary {
         version: env!("CARGO_PKG_VERSION"),
         seed: scenario.seed,
@@ -222,7 +225,7 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
         energy_start_J: start,
         energy_end_J: end,
         dissipated_J: dissipated,
-        energy_error_J: dissipated.map(|dissipated| end + dissipated - start),
+        energy_error_J: dissipated.map(|dissipated| end + dissipated - supplied - start),
         max_overlap_over_r: simulation.largest_overlap(),
         state_hash: format!("{:016x}", simulation.state_hash()),
         interrupted: simulation.steps() < scenario.steps() && !stepping.is_stopped(),
