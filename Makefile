@@ -4,6 +4,9 @@ CARGO  = cargo
 # Where cargo builds.
 TARGET = $(or $(CARGO_TARGET_DIR),target)
 ARGS   =                # e.g. make run ARGS="-n 1000 --radius 5e-4"
+# What `make live` shows, unless ARGS say otherwise: discs large enough, and slow enough, to be seen.
+LIVE   = $(if $(findstring --preset,$(ARGS))$(findstring .toml,$(ARGS)),,--preset guide-listing) \
+         $(if $(findstring --slowdown,$(ARGS)),,--slowdown 40)
 
 $(EXEC): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	$(CARGO) build --release
@@ -13,8 +16,9 @@ $(EXEC): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 run: $(EXEC)            # simulate; writes out.txt, trajectory.txt, energy.csv
 	./$(EXEC) $(ARGS)
 
-live: $(EXEC)           # simulate slowly and watch in gnuplot; Ctrl-C ends both
-	./$(EXEC) --slowdown 20 -q $(ARGS) & gnuplot plot/loop.plot; wait
+live: $(EXEC)           # simulate slowly and watch in gnuplot: a fall takes 4 s; closing the window or Ctrl-C ends both
+	./$(EXEC) $(LIVE) -q $(ARGS) & run=$$!; \
+	trap 'kill $$run 2>/dev/null; wait $$run' EXIT; gnuplot plot/loop.plot
 
 plot:                   # pictures of the last run: replay.gif, energy.png, velocity.png
 	gnuplot -e "gif='replay.gif'" plot/replay.plot

@@ -4,12 +4,14 @@ if (!exists("file")) file = 'energy.csv'
 if (!exists("png") && GPVAL_TERM eq "unknown") png = 'energy.png'   # this gnuplot has no windows
 
 rows = 0
+supplied = 0.0                              # from outside: a ninth column, drawn if there is any
 top = 0.0                                   # the largest energy, which sets the unit
 larger(a, b) = abs(b) > a ? abs(b) : a
 set datafile separator comma columnheaders
 there = strstrt(GPVAL_SYSNAME, "Windows") ? 'if exist "%s" echo 1' : 'test -s "%s" && echo 1'
 if (system(sprintf(there, file)) ne "") {
     stats file using (rows = rows + 1, top = larger(larger(larger(top, $3), $4), $7), \
+        supplied = larger(supplied, valid(9) ? $9 : 0), top = larger(top, supplied), \
         rows == 1 ? (start = $7, E = abs($3) + abs($4) + abs($5)) : 0) nooutput
 }
 if (rows < 2) { print file." is missing or has less than two rows: run the simulator first" ; exit status 1 }
@@ -32,7 +34,8 @@ plot file using 2:(scale * $7) with lines lw 2.5 lc rgb "black" title 'total', \
     '' using 2:(scale * $4) with lines lw 2 lc rgb "#0072B2" title 'gravitational', \
     '' using 2:(scale * $3) with lines lw 2 lc rgb "#D55E00" title 'kinetic', \
     '' using 2:(scale * $5) with lines lw 2 lc rgb "#009E73" title 'elastic', \
-    '' using 2:(scale * $6) with lines lw 2 lc rgb "#CC79A7" title 'dissipated'
+    '' using 2:(scale * $6) with lines lw 2 lc rgb "#CC79A7" title 'dissipated', \
+    for [k=9:supplied > 0 ? 9 : 8] '' using 2:(scale * column(k)) with lines lw 2 lc rgb "#E69F00" title 'supplied'
 
 set ylabel "error / energy at start"
 set offsets

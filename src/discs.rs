@@ -34,6 +34,11 @@ pub trait Discs: Motion + Send {
     fn gravity(&self) -> DVec2;
     /// Energy stored in contacts and other forces, J.
     fn stored_energy(&self) -> f64;
+    /// Gravitational and stored energy, J.
+    fn potential_energy(&self) -> f64 {
+        let gravity = self.gravity();
+        self.sum(&|disc| -disc.mass * gravity.dot(disc.position)) + self.stored_energy()
+    }
     /// Largest overlaps so far.
     fn tally(&self) -> &Tally;
     /// Works since the ledger was opened, if it was.
@@ -114,7 +119,8 @@ pub struct PlainDiscs {
     tally: Tally,
     works: Works,
     stored_energy: f64, // J
-    has_external_forces: bool,
+    /// So many of the forces are contacts; those after them were added.
+    contacts: usize,
 }
 
 impl PlainDiscs {
@@ -123,11 +129,11 @@ impl PlainDiscs {
         let mut discs = Self {
             particles,
             gravity,
+            contacts: forces.len(),
             forces,
             tally: Tally::default(),
             works: Works::default(),
             stored_energy: 0.0,
-            has_external_forces: false,
         };
         discs.update_forces();
         discs
@@ -146,7 +152,7 @@ impl PlainDiscs {
 
 impl Motion for PlainDiscs {
     fn kick(&mut self, dt: f64) {
-        let (gravity, external) = (self.gravity, self.has_external_forces);
+        let (gravity, external) = (self.gravity, self.forces.len() > self.contacts);
         match &self.tally.shares {
             // The same kicks, with the work of each force booked beside them.
             Some(shares) => {
@@ -168,8 +174,12 @@ impl Motion for PlainDiscs {
         }
         self.tally.begin();
         self.stored_energy = 0.0;
-        for force in &mut self.forces {
+        let (contacts, added) = self.forces.split_at_mut(self.contacts);
+        for force in contacts {
             self.stored_energy += force.apply(&mut self.particles, &mut self.tally);
+        }
+        for force in added {
+            self.stored_energy += self.tally.book(force.as_mut(), &mut self.particles);
         }
     }
 
@@ -228,7 +238,7 @@ impl Discs for PlainDiscs {
     }
 
     fn act(&mut self, change: &mut dyn FnMut(&mut [Particle])) {
-        let before = self.particles.clone();
+        let (before, potential) = (self.particles.clone(), self.potential_energy());
         change(&mut self.particles);
         if self.particles == before {
             return;
@@ -236,12 +246,14 @@ impl Discs for PlainDiscs {
         let after = work::kinetic_energy(&self.particles);
         self.works.external.add(after - work::kinetic_energy(&before));
         self.update_forces();
+        self.works.by_hand.add(self.potential_energy() - potential);
     }
 
     fn with_force(mut self: Box<Self>, force: Box<dyn Force>) -> Box<dyn Discs> {
+        let potential = self.potential_energy();
         self.forces.push(force);
-        self.has_external_forces = true;
         self.update_forces();
+        self.works.by_hand.add(self.potential_energy() - potential);
         self
     }
 

@@ -9,6 +9,9 @@ use crate::particle::{Contact, ContactLaw, Particle};
 pub trait Force: Send {
     /// Adds this force (N) to every disc it acts on and returns the energy it stores, J.
     ///
+    /// A force that returns 0 stores nothing: what it does is booked as supplied from outside (taken, if it is drag).
+    /// One that returns what it stores must do nothing else: of a spring with drag make two, or return 0.
+    ///
     /// `tally` is for contact forces; other forces leave it alone.
     fn apply(&mut self, particles: &mut [Particle], tally: &mut Tally) -> f64;
 
@@ -31,6 +34,24 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Has `force`, which is no contact of the simulation's own, act on `particles`. What it stores it books
+    /// as a spring would; what is not booked here is supplied from outside.
+    pub(crate) fn book(&mut self, force: &mut dyn Force, particles: &mut [Particle]) -> f64 {
+        let unbooked = |disc: &Particle, share: &Share| disc.force - share.spring - share.dashpot;
+        let before: Vec<DVec2> = match &self.shares {
+            Some(shares) => particles.iter().zip(shares).map(|(p, s)| unbooked(p, s)).collect(),
+            None => Vec::new(),
+        };
+        let stored_energy = force.apply(particles, self);
+        if stored_energy != 0.0 {
+            let shares = self.shares.iter_mut().flatten();
+            for ((disc, share), before) in particles.iter().zip(shares).zip(before) {
+                share.spring += unbooked(disc, share) - before;
+            }
+        }
+        stored_energy
+    }
+
     /// Forgets the shares of the previous state; the largest overlaps are of the whole run.
     pub fn begin(&mut self) {
         if let Some(shares) = &mut self.shares {
@@ -39,10 +60,10 @@ impl Tally {
     }
 }
 
-/// The part of a disc's force that comes from contacts, split in two for the work ledger.
+/// The part of a disc's force that stores energy or damps, split in two for the work ledger.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Share {
-    /// From springs: k_n delta_n.
+    /// From springs, k_n delta_n, and from other forces that store energy.
     pub spring: DVec2, // N
     /// The rest of the contact force: the dashpot, and what clipping took away.
     pub dashpot: DVec2, // N

@@ -103,21 +103,21 @@ pub fn wants_room(why: &std::io::Error) -> bool {
     matches!(why.kind(), FileTooLarge | QuotaExceeded | StorageFull)
 }
 
-/// The rows of a csv file whose first line must be `header`. Errors are sentences that name the line.
+/// The rows of a csv file whose first line must be the first of `headers`, or one that older files have. Errors are sentences that name the line.
 fn rows<T: serde::de::DeserializeOwned>(
     input: impl std::io::Read,
-    header: &str,
+    headers: &[&str],
 ) -> Result<Vec<T>, String> {
     let mut reader = csv::Reader::from_reader(input);
     let said = reader.headers().map_err(|why| bad_row(&why))?;
     let said: Vec<String> = said.iter().map(|name| name.trim().to_owned()).collect();
     let said = said.join(",");
-    if said.trim_start_matches('\u{feff}') != header {
+    if !headers.contains(&said.trim_start_matches('\u{feff}')) {
         let mut start: String = said.chars().take(160).collect();
         if start.len() < said.len() {
             start.push_str("...");
         }
-        return Err(format!("its columns are {start}; they should be {header}"));
+        return Err(format!("its columns are {start}; they should be {}", headers[0]));
     }
     reader.deserialize().map(|row| row.map_err(|why| bad_row(&why))).collect()
 }

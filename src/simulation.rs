@@ -212,8 +212,8 @@ impl Simulation {
         self.integrator = integrator;
     }
 
-    /// Adds a force that is not a contact. Its work is booked as external. From now on the discs are
-    /// stepped the plain way, in id order.
+    /// Adds a force that is not a contact. If it stores energy its work is booked as a spring's is, else as
+    /// external. From now on the discs are stepped the plain way, in id order.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
         let none: Box<dyn Discs> = Box::new(PlainDiscs::new(Vec::new(), DVec2::ZERO, Vec::new()));
         let discs = std::mem::replace(&mut self.discs, none);
@@ -221,8 +221,8 @@ impl Simulation {
     }
 
     /// Changes the discs by hand between two steps. Forces follow the change (under velocity Verlet
-    /// from the present velocity on), and the kinetic energy it gave is booked as external work.
-    /// A change that changes nothing leaves the run as it was, to the bit.
+    /// from the present velocity on), and the kinetic energy it gave is booked as external work, the rest
+    /// as energy given by hand. A change that changes nothing leaves the run as it was, to the bit.
     pub fn act(&mut self, change: impl FnOnce(&mut [Particle])) {
         let mut change = Some(change);
         self.discs.act(&mut |particles| {

@@ -19,18 +19,25 @@ const BLOCK: usize = 1024;
 pub struct Works {
     /// Done by the weight, m g.
     pub gravity: Sum,
-    /// Done by the contacts' springs, k_n delta_n.
+    /// Done by the contacts' springs, k_n delta_n, and by all other forces that store energy.
     pub spring: Sum,
     /// Done by the contacts' dashpots; its negative is the dissipated energy.
     pub dashpot: Sum,
-    /// Done by forces added from outside, and energy given by hand.
+    /// Done by added forces that store nothing, and kinetic energy given by hand.
     pub external: Sum,
+    /// Gravitational and stored energy given by hand: discs lifted, forces added. No work: not in the total.
+    pub by_hand: Sum,
 }
 
 impl Works {
     /// The sum of all works, J.
     pub fn total(&self) -> f64 {
         self.gravity.value() + self.spring.value() + self.dashpot.value() + self.external.value()
+    }
+
+    /// Energy supplied from outside, J; less than nothing where it was taken, as drag does.
+    pub fn supplied(&self) -> f64 {
+        self.external.value() + self.by_hand.value()
     }
 
     /// Kicks every disc by `dt` (s) and books what weight, springs and dashpots did.

@@ -115,10 +115,26 @@ fn a_run_without_terminal_prints_no_progress_bar_and_quiet_prints_nothing() {
 }
 
 #[test]
-fn the_guides_damping_is_explained_in_one_line_by_every_default_run() {
-    let (output, _folder) = outcome(&["-n", "1", "--time", "0"]);
-    let notes = text(&output.stderr);
-    assert_eq!(notes.lines().filter(|line| line.contains("1.5e3")).count(), 1, "{notes}");
+fn the_guides_own_run_has_one_line_of_notes_and_check_has_the_rest() {
+    for arguments in [&["--time", "0"][..], &["-n", "1", "--time", "0"], &["--seed", "1"]] {
+        let (output, _folder) = outcome(arguments);
+        let (notes, summary) = (text(&output.stderr), text(&output.stdout));
+        assert_eq!(notes.lines().count(), 1, "{arguments:?}: {notes}");
+        for said in
+            ["eta_n = 1.5e-3 kg/s for the guide's printed 1.5e3", "soft", "`parsim2d check`"]
+        {
+            assert!(notes.contains(said), "{arguments:?}: {notes}");
+        }
+        assert!(!summary.contains("soft") && !summary.contains("try"), "{summary}");
+    }
+    let (output, _folder) = outcome(&["check"]);
+    let said = text(&output.stdout);
+    assert!(said.contains("the damping: eta_n = 1.5e-3 kg/s (the guide prints"), "{said}");
+    assert!(said.contains("1.25 r deep, set by --kn = 5e4; use --radius 5e-4"), "{said}");
+    // Discs that have passed through each other are told of after the run, too.
+    let (output, _folder) = outcome(&["-n", "1000", "--seed", "1", "--time", "0.1"]);
+    let said = text(&output.stdout);
+    assert!(said.contains("overlap  at most 2.108 r: more than half a radius"), "{said}");
 }
 
 #[test]

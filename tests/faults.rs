@@ -290,7 +290,7 @@ fn one_number_is_offered_against_softness() {
             after.map(|rest| rest.split_whitespace().next().unwrap_or_default().to_owned())
         })
     };
-    let [note, summary] = run("--seed 1");
+    let [note, summary] = run("--gravity 30 --seed 1");
     assert!(note.is_some() && note == summary, "{note:?} {summary:?}");
     let [_, summary] = run("--radius 5e-4 -n 500 --nt 4 --eta 0 --seed 1 --time 0.5");
     assert_eq!(summary, None);

@@ -70,10 +70,10 @@ fn energy_csv_has_its_header_and_a_line_for_each_asked_step() {
     assert_eq!(lines[0], HEADER);
     assert_eq!(
         HEADER,
-        "step,time_s,kinetic_J,gravitational_J,elastic_J,dissipated_J,total_J,work_error_J"
+        "step,time_s,kinetic_J,gravitational_J,elastic_J,dissipated_J,total_J,work_error_J,supplied_J"
     );
     // K = m/2 (0.25 + 1), m g y = 1e-3 * 10 * 0.02.
-    assert_eq!(lines[1], "0,0.0,0.000625,0.0002,0.0,0.0,0.000825,0.0");
+    assert_eq!(lines[1], "0,0.0,0.000625,0.0002,0.0,0.0,0.000825,0.0,0.0");
     assert_eq!(lines.len(), 5);
     let times: Vec<&str> = lines[1..].iter().map(|l| l.split(',').nth(1).unwrap()).collect();
     assert_eq!(times, ["0.0", "0.001", "0.002", "0.003"]);
@@ -211,7 +211,7 @@ fn pandas_numpy_and_gnuplot_conventions_hold() {
     // Numbers use a dot and no thousands separator; every row of a file has the same columns.
     let folder = run("-n 30 --radius 5e-4 --time 0.05 --seed 3");
     for (name, columns, separator) in
-        [("out.txt", 3, ' '), ("trajectory.txt", 5, ' '), ("energy.csv", 8, ',')]
+        [("out.txt", 3, ' '), ("trajectory.txt", 5, ' '), ("energy.csv", 9, ',')]
     {
         let text = read(&folder, name);
         let rows = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());

@@ -2,89 +2,18 @@
 //! Discs, arrows and curves are the only things in colour: axes, box and letters are black.
 
 use std::fs::{self, File};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
 use crate::support::gnuplot_is_missing;
+use crate::support::scripts::{
+    MOVING, Picture, gnuplot, in_colour, light_grey, plot, said, simulate, start,
+};
 
-/// Twenty moving discs.
-const MOVING: &str = "-n 20 --time 0.02 --seed 1 -q --speed 0.5 --radius 5e-4";
 /// Damped discs with many contacts.
 const CROWDED: &str = "-n 50 --time 0.02 --seed 1 -q --speed 0.5 --radius 1e-3 --restitution 0.5";
 /// One large disc that does not move.
 const RESTING: &str = "-n 1 --time 0.001 --seed 1 -q --gravity 0 --radius 5e-3";
-
-#[test]
-fn loop_plot_shows_a_run_that_is_still_going() {
-    if gnuplot_is_missing("a live run") {
-        return;
-    }
-    let folder = TempDir::new().unwrap();
-    let mut run = start(simulator(&folder, "-n 20 --slowdown 50 --seed 1 -q --speed 0.5"));
-    let header = || {
-        let text = fs::read_to_string(folder.path().join("out.txt")).ok()?;
-        text.lines().next().map(str::to_owned)
-    };
-    let mut seen = None;
-    let discs = ["first.png", "second.png"].map(|name| {
-        wait_for("a frame of another time", || header().filter(|new| Some(new) != seen.as_ref()));
-        let variables = format!("redraws=1; png='{name}'");
-        assert_eq!(said(&plot(&folder, "loop", &variables)), "");
-        seen = header();
-        Picture::read(&folder, name).places(in_colour)
-    });
-    assert!(run.0.try_wait().unwrap().is_none(), "the run ended early");
-    assert!(discs[0].len() > 20, "twenty discs, no pixels");
-    assert!(discs[0] != discs[1], "nothing moved");
-}
-
-#[test]
-fn loop_plot_waits_for_a_file_that_is_not_there_yet() {
-    if gnuplot_is_missing("a plot started before the run") {
-        return;
-    }
-    let folder = TempDir::new().unwrap();
-    let mut waiting = start(gnuplot(&folder, "loop", "redraws=1; png='now.png'"));
-    sleep(Duration::from_millis(300));
-    assert!(waiting.0.try_wait().unwrap().is_none(), "it did not wait");
-    simulate_in(&folder, MOVING);
-    let output = waiting.finish();
-    assert!(output.status.success());
-    assert_eq!(said(&output), "waiting for out.txt\n");
-    assert!(Picture::read(&folder, "now.png").count(in_colour) > 20);
-}
-
-#[test]
-fn the_guides_own_four_line_script_works() {
-    if gnuplot_is_missing("the guide's script") {
-        return;
-    }
-    let folder = TempDir::new().unwrap();
-    let _run = start(simulator(&folder, "-n 20 --slowdown 50 --seed 1 -q --speed 0.5"));
-    fs::write(
-        folder.path().join("guide.plot"),
-        "set xrange [0:0.04]; set yrange [0:0.04]\n\
-         plot 'out.txt' using 1:2:3 with circles\n\
-         pause 1\n\
-         reread\n",
-    )
-    .unwrap();
-    wait_for("out.txt", || folder.path().join("out.txt").exists().then_some(()));
-    let mut command = Command::new("gnuplot");
-    let to_file = "set terminal pngcairo; set output 'guide.png'";
-    command.args(["-d", "-e", to_file, "guide.plot"]).current_dir(&folder);
-    let mut guide = start(command);
-    // gnuplot writes one picture after the other into the file.
-    let pictures = || fs::read(folder.path().join("guide.png")).unwrap_or_default();
-    let beginnings = || pictures().windows(8).filter(|w| w == b"\x89PNG\r\n\x1a\n").count();
-    wait_for("a second picture", || (beginnings() >= 2).then_some(()));
-    assert!(guide.0.try_wait().unwrap().is_none(), "it stopped redrawing");
-    assert!(Picture::read(&folder, "guide.png").count(in_colour) > 20);
-}
 
 #[test]
 fn replay_plot_draws_one_frame_or_an_animation() {
@@ -276,156 +205,6 @@ fn a_gnuplot_without_windows_writes_files_or_text() {
             assert!(said.ends_with(&format!("wrote {file}\n")), "{said}");
             assert!(folder.path().join(file).exists());
         }
-    }
-}
-
-fn simulator(folder: &TempDir, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_parsim2d"));
-    command.args(arguments.split_whitespace()).current_dir(folder);
-    command
-}
-
-fn simulate_in(folder: &TempDir, arguments: &str) {
-    let output = start(simulator(folder, arguments)).finish();
-    assert!(output.status.success(), "{}", said(&output));
-}
-
-/// A folder with the files of a run.
-fn simulate(arguments: &str) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    simulate_in(&folder, arguments);
-    folder
-}
-
-/// gnuplot on a script of `plot/`, without the settings of whoever runs the test.
-fn gnuplot(folder: &TempDir, script: &str, variables: &str) -> Command {
-    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("plot");
-    let mut command = Command::new("gnuplot");
-    command.args(["-d", "-e", variables]);
-    command.arg(scripts.join(script).with_extension("plot"));
-    command.current_dir(folder);
-    command
-}
-
-/// Runs a script to its end, which must be a good one.
-fn plot(folder: &TempDir, script: &str, variables: &str) -> Output {
-    let output = start(gnuplot(folder, script, variables)).finish();
-    assert!(output.status.success(), "{script}: {}", said(&output));
-    output
-}
-
-fn said(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-/// A child process that does not outlive its test.
-struct Running(Child);
-
-fn start(mut command: Command) -> Running {
-    command.stdin(Stdio::null());
-    command.stdout(Stdio::null()).stderr(Stdio::piped());
-    Running(command.spawn().unwrap())
-}
-
-impl Running {
-    /// Waits for the end; the little that our programs say on stderr fits into a pipe.
-    fn finish(mut self) -> Output {
-        let status = wait_for("the end of a program", || self.0.try_wait().unwrap());
-        let mut stderr = Vec::new();
-        let mut pipe = self.0.stderr.take().unwrap();
-        std::io::Read::read_to_end(&mut pipe, &mut stderr).unwrap();
-        Output { status, stdout: Vec::new(), stderr }
-    }
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        let _ = self.0.kill(); // it may have ended
-        let _ = self.0.wait();
-    }
-}
-
-fn wait_for<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
-    let began = Instant::now();
-    loop {
-        if let Some(found) = look() {
-            return found;
-        }
-        assert!(began.elapsed() < Duration::from_secs(30), "waited too long for {what}");
-        sleep(Duration::from_millis(10));
-    }
-}
-
-/// A PNG, read back.
-struct Picture {
-    width: usize,
-    height: usize,
-    pixels: Vec<[u8; 3]>,
-}
-
-/// A disc, an arrow or a curve.
-fn in_colour(pixel: [u8; 3]) -> bool {
-    pixel.iter().max().unwrap() - pixel.iter().min().unwrap() > 40
-}
-
-/// A disc of the velocity plot.
-fn light_grey(pixel: [u8; 3]) -> bool {
-    pixel.iter().all(|channel| (0xE3..=0xE7).contains(channel))
-}
-
-impl Picture {
-    fn read(folder: &TempDir, name: &str) -> Self {
-        let path: PathBuf = folder.path().join(name);
-        let file = std::io::BufReader::new(File::open(path).unwrap());
-        let mut decoder = png::Decoder::new(file);
-        decoder.set_transformations(png::Transformations::normalize_to_color8());
-        let mut reader = decoder.read_info().unwrap();
-        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut bytes).unwrap();
-        let pixels = bytes.chunks_exact(info.color_type.samples());
-        Self {
-            width: info.width as usize,
-            height: info.height as usize,
-            pixels: pixels.map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect(),
-        }
-    }
-
-    fn count(&self, wanted: impl Fn([u8; 3]) -> bool) -> usize {
-        self.pixels.iter().filter(|pixel| wanted(**pixel)).count()
-    }
-
-    /// Columns and rows of the wanted pixels inside the box, where only discs and arrows are.
-    fn places(&self, wanted: impl Fn([u8; 3]) -> bool) -> Vec<(usize, usize)> {
-        let [left, right, top, bottom] = self.walls();
-        let rows = (top + 3)..(bottom - 2); // a line may be two pixels wide
-        rows.flat_map(|y| ((left + 3)..(right - 2)).map(move |x| (x, y)))
-            .filter(|(x, y)| wanted(self.pixels[y * self.width + x]))
-            .collect()
-    }
-
-    /// Left, right, top and bottom of the wanted pixels inside the box.
-    fn bounds(&self, wanted: impl Fn([u8; 3]) -> bool) -> [usize; 4] {
-        let start = [usize::MAX, 0, usize::MAX, 0];
-        let places = self.places(wanted).into_iter();
-        places.fold(start, |[l, r, t, b], (x, y)| [l.min(x), r.max(x), t.min(y), b.max(y)])
-    }
-
-    /// Columns of the left and right wall, rows of the upper and lower one: the second and third
-    /// long dark line, after the frame of the axes.
-    fn walls(&self) -> [usize; 4] {
-        let (mut columns, mut rows) = (vec![0; self.width], vec![0; self.height]);
-        for (index, pixel) in self.pixels.iter().enumerate() {
-            if pixel.iter().all(|channel| *channel < 150) {
-                columns[index % self.width] += 1;
-                rows[index / self.width] += 1;
-            }
-        }
-        let [[left, right], [top, bottom]] = [columns, rows].map(|dark| {
-            let long = |k: usize| dark[k] > self.height / 2;
-            let mut lines = (1..dark.len()).filter(|&k| long(k) && !long(k - 1));
-            [1, 0].map(|skip| lines.nth(skip).expect("a wall"))
-        });
-        [left, right, top, bottom]
     }
 }
 

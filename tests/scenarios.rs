@@ -110,8 +110,10 @@ fn presets_read_the_guide_in_four_ways() {
     let printed = notes("preset = 'guide-printed'");
     assert!(printed.contains("zeta = 150.000"), "{printed}");
     let guide = notes("");
-    assert!(guide.contains("the guide prints eta_n = 1.5e3"), "{guide}");
-    assert!(guide.contains("1.25 r deep; try --radius 5e-4 or --kn 1.2e6"), "{guide}");
+    assert!(guide.contains("eta_n = 1.5e-3 kg/s for the guide's printed 1.5e3"), "{guide}");
+    assert!(guide.contains("discs as soft as its numbers make them"), "{guide}");
+    let softer = notes("gravity = 20"); // whose own doing that is
+    assert!(softer.contains("1.79 r deep; try --radius 7e-4 or --kn 2.4e6"), "{softer}");
     let listing = notes("preset = 'guide-listing'");
     assert!(!listing.contains("soft"), "{listing}");
 }

@@ -1,7 +1,8 @@
 //! The energy ledger: where the energy is, and two residues that must not be confused.
 //!
-//! - `total = kinetic + gravitational + elastic + dissipated`. The first three are read off the
-//!   present state, the last is what the dashpots took. Its change since the start is the
+//! - `total = kinetic + gravitational + elastic + dissipated - supplied`. The first three are read off the
+//!   present state, then comes what the dashpots took, and what was supplied from outside: by added forces
+//!   that store nothing (drag takes, so it supplies less than nothing), and by hand. Its change since the start is the
 //!   *integration error*: it says whether the time step is right. For Eq. (3) it is O(dt) while
 //!   a contact lasts and O(dt²) after it; in free fall it is -m g v dt/2, a saw-tooth in step
 //!   with the speed that comes back at the bounce, not a drift. Velocity Verlet has O(dt²) in both.
@@ -67,10 +68,13 @@ pub struct LedgerRow {
     pub elastic_J: f64,
     /// Energy taken by the dashpots since the start, J.
     pub dissipated_J: f64,
-    /// Sum of the four, J. Its change is the integration error.
+    /// Sum of the four less what was supplied, J. Its change is the integration error.
     pub total_J: f64,
     /// Change of kinetic energy minus the sum of all works, J. Round-off, if all is well.
     pub work_error_J: f64,
+    /// Energy supplied from outside since the start, J; 0 where only weight and contacts act.
+    #[serde(default)] // older ledgers have no such column
+    pub supplied_J: f64,
 }
 
 /// The ledger of one run.
@@ -101,6 +105,7 @@ impl EnergyLedger {
         let energy = MechanicalEnergy::of(simulation);
         let works = simulation.works().copied().unwrap_or_default();
         let dissipated = 0.0 - works.dashpot.value(); // not -0.0 where nothing was taken
+        let supplied = works.supplied();
         LedgerRow {
             step: simulation.steps(),
             time_s: simulation.time(),
@@ -108,8 +113,9 @@ impl EnergyLedger {
             gravitational_J: energy.gravitational,
             elastic_J: energy.elastic,
             dissipated_J: dissipated,
-            total_J: energy.total() + dissipated,
+            total_J: energy.total() + dissipated - supplied,
             work_error_J: (energy.kinetic - self.kinetic_at_start) - works.total(),
+            supplied_J: supplied,
         }
     }
 }

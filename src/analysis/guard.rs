@@ -9,6 +9,7 @@ use super::energy::MechanicalEnergy;
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
 use crate::simulation::{KeptState, Simulation};
+use crate::work::Works;
 
 /// Steps between two looks.
 pub const EVERY: u64 = 64;
@@ -216,7 +217,8 @@ impl Guard {
 
     fn wrong(&self, simulation: &Simulation) -> Option<Wrong> {
         let now = MechanicalEnergy::of(simulation);
-        let mechanical = now.total();
+        // What was supplied from outside is not held against the run.
+        let mechanical = now.total() - simulation.works().map_or(0.0, Works::supplied);
         let total = mechanical + dissipated(simulation).unwrap_or(0.0);
         if !mechanical.is_finite() || !total.is_finite() {
             Some(Wrong::NotFinite)

@@ -29,17 +29,18 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let json = arguments.settings.json.unwrap_or(false);
     let diagnosis = scenario(&lenient).and_then(|(scenario, _)| {
         scenario.build()?; // places the discs: no change of the time step makes room for them
-        Ok((scenario.diagnosis(), scenario.n() as f64 * scenario.steps() as f64))
+        let particle_steps = scenario.n() as f64 * scenario.steps() as f64;
+        Ok((scenario.diagnosis(), particle_steps, scenario.reading_of_the_guide()))
     });
     let mut out = io::stdout().lock();
     match diagnosis {
-        Ok((diagnosis, particle_steps)) => {
+        Ok((diagnosis, particle_steps, reading)) => {
             match json {
                 true => {
                     serde_json::to_writer(&mut out, &diagnosis).map_err(io::Error::from)?;
                     writeln!(out)?;
                 }
-                false => write_text(&mut out, &diagnosis, particle_steps)?,
+                false => write_text(&mut out, &diagnosis, particle_steps, reading.as_deref())?,
             }
             let is_unstable = diagnosis.verdict == Verdict::Unstable;
             Ok(ExitCode::from(if is_unstable { 2 } else { 0 }))
@@ -60,7 +61,12 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     }
 }
 
-fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) -> io::Result<()> {
+fn write_text(
+    out: &mut impl Write,
+    diagnosis: &Diagnosis,
+    particle_steps: f64,
+    reading: Option<&str>,
+) -> io::Result<()> {
     let Diagnosis { dt_s, speed_m_s, contact_end, .. } = diagnosis;
     writeln!(out, "{:<40} {:>11} {:>11}", "contact", "two discs", "wall")?;
     for figure in &diagnosis.figures {
@@ -80,6 +86,9 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) 
     let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
     writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes\n")?;
 
+    if let Some(reading) = reading {
+        writeln!(out, "{}\n", wrapped(&format!("the damping: {reading}"), 80))?;
+    }
     writeln!(out, "{}: {}", diagnosis.verdict, diagnosis.sentence)?;
     for more in diagnosis.findings.iter().skip(1) {
         writeln!(out, "also {}: {}", more.verdict, more.sentence())?;

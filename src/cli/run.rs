@@ -25,6 +25,7 @@ use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
 use crate::simulation::time_step;
+use crate::work::Works;
 
 #[derive(Args, Clone)]
 pub(super) struct RunArguments {
@@ -181,14 +182,18 @@ fn drawn_seed() -> u64 {
     u64::from(drawn.unwrap_or_else(|_| std::process::id()))
 }
 
+/// The seed shares a line with the first note: a usual run has one line of notes.
 fn say_notes(scenario: &Scenario, notes: &[String], seed_was_drawn: bool) {
-    if !scenario.output.quiet {
-        if seed_was_drawn {
-            let seed = scenario.seed;
-            let _ =
-                writeln!(io::stderr(), "note: seed {seed}, drawn; --seed {seed} repeats this run");
+    let seed = scenario.seed;
+    let drawn =
+        seed_was_drawn.then(|| format!("seed {seed}, drawn; --seed {seed} repeats this run"));
+    match (drawn, notes) {
+        (Some(drawn), [first, rest @ ..]) => {
+            say(scenario, &format!("{drawn}; {first}"));
+            say_all(scenario, rest);
         }
-        say_all(scenario, notes);
+        (Some(drawn), []) => say(scenario, &drawn),
+        (None, notes) => say_all(scenario, notes),
     }
 }
 
@@ -199,7 +204,9 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
     let particle_steps = n as f64 * watch.steps(simulation) as f64;
     let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
-    let dissipated = simulation.works().map(|works| 0.0 - works.dashpot.value());
+    let works = simulation.works();
+    let dissipated = works.map(|works| 0.0 - works.dashpot.value());
+    let supplied = works.map_or(0.0, Works::supplied);
     Summary {
         version: env!("CARGO_PKG_VERSION"),
         seed: scenario.seed,
@@ -219,7 +226,7 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
         energy_start_J: start,
         energy_end_J: end,
         dissipated_J: dissipated,
-        energy_error_J: dissipated.map(|dissipated| end + dissipated - start),
+        energy_error_J: dissipated.map(|dissipated| end + dissipated - supplied - start),
         max_overlap_over_r: simulation.largest_overlap(),
         state_hash: format!("{:016x}", simulation.state_hash()),
         interrupted: simulation.steps() < scenario.steps() && !stepping.is_stopped(),
@@ -239,6 +246,9 @@ fn report(scenario: &Scenario, summary: &Summary, start_overlap: f64) -> io::Res
     }
     out.flush()
 }
+
+/// Overlap, in radii, at which the centres of two equal discs meet: they may have passed through each other.
+const CENTRES_MEET: f64 = 2.0;
 
 /// What to say after the largest overlap; at the start it was `start`. In a run whose energy went astray softness is not the
 /// cause, and is not blamed.
@@ -263,6 +273,10 @@ fn remark(scenario: &Scenario, summary: &Summary, start: f64) -> Option<String> 
     // One number only: the one that was told before the run.
     let findings = scenario.findings();
     let told = findings.into_iter().find(|finding| finding.matter == Matter::Softness);
+    let is_told = told.as_ref().is_some_and(|told| scenario.is_of_the_guide(told));
+    if is_told && overlap < CENTRES_MEET {
+        return None; // told before the run, and `check` tells more
+    }
     let cures = told.map_or_else(|| scenario.cure_for_softness(overlap), |told| told.ways_out);
     Some(format!(": more than half a radius, discs too soft; try {}", cures.join(" or ")))
 }

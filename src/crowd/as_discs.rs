@@ -72,6 +72,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     }
 
     fn act(&mut self, change: &mut dyn FnMut(&mut [Particle])) {
+        let potential = self.potential_energy();
         let before = self.particles().to_vec();
         let mut after = before.clone();
         change(&mut after);
@@ -90,6 +91,10 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.near.forget();
         self.update_forces();
         self.settle();
+        let lifted = self.potential_energy() - potential;
+        if let Some(works) = &mut self.works {
+            works.by_hand.add(lifted);
+        }
     }
 
     fn with_force(mut self: Box<Self>, force: Box<dyn Force>) -> Box<dyn Discs> {

@@ -14,13 +14,16 @@ use crate::analysis::energy::LedgerRow;
 type Column = fn(&LedgerRow) -> f64;
 
 /// Name, column number, colour and width of the curves.
-const ENERGIES: [(&str, usize, &str, f64, Column); 5] = [
+const ENERGIES: [(&str, usize, &str, f64, Column); 6] = [
     ("total", 7, "#000000", 2.5, |row| row.total_J),
     ("gravitational", 4, "#0072B2", 2.0, |row| row.gravitational_J),
     ("kinetic", 3, "#D55E00", 2.0, |row| row.kinetic_J),
     ("elastic", 5, "#009E73", 2.0, |row| row.elastic_J),
     ("dissipated", 6, "#CC79A7", 2.0, |row| row.dissipated_J),
+    (SUPPLIED, 9, "#E69F00", 2.0, |row| row.supplied_J),
 ];
+/// The curve that is drawn only where something was supplied.
+const SUPPLIED: &str = "supplied";
 const GAIN: &str = "#E69F00";
 const LOSS: &str = "#56B4E9";
 const RESIDUE: &str = "#882255";
@@ -95,15 +98,23 @@ impl Energies {
     }
 }
 
+/// The curves of a ledger.
+fn energies(
+    rows: &[LedgerRow],
+) -> impl Iterator<Item = (&'static str, usize, &'static str, f64, Column)> {
+    let is_supplied = rows.iter().any(|row| row.supplied_J != 0.0);
+    ENERGIES.into_iter().filter(move |(name, ..)| is_supplied || *name != SUPPLIED)
+}
+
 /// The picture of one ledger of at least two lines.
 pub fn figure(rows: &[LedgerRow]) -> Figure {
     let shown = Energies::of("energy", [rows].into_iter());
-    let mut energies = Chart::new("", Axis::linear("time, s"), shown.axis());
-    for (name, _, colour, width, column) in ENERGIES {
+    let mut upper = Chart::new("", Axis::linear("time, s"), shown.axis());
+    for (name, _, colour, width, column) in energies(rows) {
         let points = rows.iter().map(|row| (row.time_s, shown.shown(column(row)))).collect();
-        energies.series.push(Series::new(name, colour, Mark::Line(width, ""), points));
+        upper.series.push(Series::new(name, colour, Mark::Line(width, ""), points));
     }
-    let panels = vec![Panel::Chart(energies), Panel::Chart(errors(rows))];
+    let panels = vec![Panel::Chart(upper), Panel::Chart(errors(rows))];
     Figure { panels, columns: 1, panel: (900.0, 400.0), strip: None }
 }
 
@@ -190,13 +201,13 @@ pub fn script(stem: &str, data: &DataFile, rows: &[LedgerRow]) -> String {
     let shown = Energies::of("energy", [rows].into_iter());
     let mut text = beginning(stem, &shown, rows);
     let _ = writeln!(text, "if (!exists('file')) file = {}", data.expression());
-    let curves = ENERGIES.map(|(name, column, colour, width, _)| {
+    let curves = energies(rows).map(|(name, column, colour, width, _)| {
         format!(
             "file using 2:({}) with lines lw {width} lc rgb '{colour}' title '{name}'",
             shown.column(column)
         )
     });
-    let _ = writeln!(text, "plot {}", curves.join(", \\\n    "));
+    let _ = writeln!(text, "plot {}", curves.collect::<Vec<_>>().join(", \\\n    "));
     text += &errors_below("error / energy at start");
     let start = rows.first().map_or(0.0, |row| row.total_J);
     let _ = write!(

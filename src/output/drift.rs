@@ -92,15 +92,15 @@ pub fn write<R: Serialize>(path: &Path, rows: &[R]) -> Result<(), OutputError> {
 /// assert_eq!(read(file.as_bytes()).unwrap()[0].final_error, 5.6e-4);
 /// ```
 pub fn read(input: impl Read) -> Result<Vec<DriftRow>, String> {
-    super::rows(input, HEADER)
+    super::rows(input, &[HEADER])
 }
 
 /// Reads `drift_energy.csv`, likewise.
 pub fn read_curves(input: impl Read) -> Result<Vec<CurveRow>, String> {
-    super::rows(input, CURVE_HEADER)
+    super::rows(input, &[CURVE_HEADER])
 }
 
 /// Reads `twin.csv`, likewise.
 pub fn read_twin(input: impl Read) -> Result<Vec<TwinRow>, String> {
-    super::rows(input, TWIN_HEADER)
+    super::rows(input, &[TWIN_HEADER])
 }

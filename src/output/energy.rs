@@ -10,6 +10,10 @@ use crate::analysis::energy::LedgerRow;
 
 /// The columns, in order.
 pub const HEADER: &str =
+    "step,time_s,kinetic_J,gravitational_J,elastic_J,dissipated_J,total_J,work_error_J,supplied_J";
+
+/// The columns of older ledgers: nothing was supplied.
+pub const OLD_HEADER: &str =
     "step,time_s,kinetic_J,gravitational_J,elastic_J,dissipated_J,total_J,work_error_J";
 
 /// Steps between lines if none were asked for: about 2000 lines in a run of `steps` steps.
@@ -22,20 +26,23 @@ pub fn default_every(steps: u64) -> u64 {
 pub struct EnergyFile {
     path: PathBuf,
     out: csv::Writer<GrowingFile>,
+    /// Whether it was begun with [`OLD_HEADER`].
+    is_old: bool,
 }
 
 impl EnergyFile {
     /// A ledger file that goes to `file`, named `path` in messages.
     pub fn new(file: File, path: PathBuf) -> Self {
-        Self { path, out: csv::Writer::from_writer(GrowingFile::new(file)) }
+        Self { path, out: csv::Writer::from_writer(GrowingFile::new(file)), is_old: false }
     }
 
     /// The same for a `file` that is cut back to `extent`, the end of one of its lines.
     pub fn continued(file: File, path: PathBuf, extent: Extent) -> Result<Self, OutputError> {
-        let file = GrowingFile::cut(file, extent)
-            .map_err(|source| OutputError::Write { path: path.clone(), source })?;
+        let failed = |source| OutputError::Write { path: path.clone(), source };
+        let is_old = is_old(&path).map_err(failed)?;
+        let file = GrowingFile::cut(file, extent).map_err(failed)?;
         let out = csv::WriterBuilder::new().has_headers(false).from_writer(file);
-        Ok(Self { path, out })
+        Ok(Self { path, out, is_old })
     }
 
     /// How far the file has come, once that is on the disk.
@@ -46,8 +53,17 @@ impl EnergyFile {
     }
 
     /// Appends `row`, after the header if it is the first.
+    #[allow(non_snake_case)] // the columns' names
     pub fn append(&mut self, row: &LedgerRow) -> Result<(), OutputError> {
-        self.out.serialize(row).map_err(|why| self.failed(why.into()))
+        let LedgerRow { step, time_s, kinetic_J, gravitational_J, elastic_J, .. } = *row;
+        let LedgerRow { dissipated_J, total_J, work_error_J, .. } = *row;
+        let appended = if self.is_old {
+            let energies = [kinetic_J, gravitational_J, elastic_J, dissipated_J];
+            self.out.serialize((step, time_s, energies, total_J, work_error_J))
+        } else {
+            self.out.serialize(row)
+        };
+        appended.map_err(|why| self.failed(why.into()))
     }
 
     /// Writes out what is still held back.
@@ -67,6 +83,13 @@ impl EnergyFile {
     fn failed(&self, source: std::io::Error) -> OutputError {
         OutputError::Write { path: self.path.clone(), source }
     }
+}
+
+/// Whether the ledger at `path` was begun before there was the last column.
+fn is_old(path: &Path) -> io::Result<bool> {
+    let mut header = String::new();
+    BufReader::new(File::open(path)?).take(4096).read_line(&mut header)?;
+    Ok(header.trim_end() == OLD_HEADER)
 }
 
 /// Where the lines up to `step` end in the file at `path`, and the step of the last of them.
@@ -94,10 +117,10 @@ fn end_of(path: &Path, step: u64) -> io::Result<(Extent, u64)> {
 ///
 /// ```
 /// use parsim2d::output::energy::{HEADER, read};
-/// let text = format!("{HEADER}\n0,0,0.5,1.5,0,0,2,0\n");
+/// let text = format!("{HEADER}\n0,0,0.5,1.5,0,0,2,0,0\n");
 /// assert_eq!(read(text.as_bytes()).unwrap()[0].total_J, 2.0);
 /// assert!(read("x,y\n".as_bytes()).unwrap_err().starts_with("its columns are x,y"));
 /// ```
 pub fn read(input: impl Read) -> Result<Vec<LedgerRow>, String> {
-    super::rows(input, HEADER)
+    super::rows(input, &[HEADER, OLD_HEADER])
 }

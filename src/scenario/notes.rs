@@ -1,9 +1,9 @@
 //! Plain lines said before a run: what the guide's numbers do, and what would be better.
 
-use super::finding::Verdict;
+use super::finding::{Finding, Matter, Verdict};
 use super::number::{Num, round_up};
 use super::preset::Preset;
-use super::settings::PlacementName;
+use super::settings::{PlacementName, Settings};
 use super::{DampingChoice, DiscSource, Scenario};
 use crate::analysis::collision::{damping_ratio, restitution};
 use crate::particle::Particle;
@@ -14,11 +14,13 @@ pub const USUAL_SPEED: f64 = 2e7;
 impl Scenario {
     /// What a person should know before this run starts with `discs`, a sentence each.
     pub fn notes(&self, discs: &[Particle]) -> Vec<String> {
-        let before = [self.note_on_damping(), self.note_on_overdamping()];
-        let findings = self.findings().into_iter().map(|finding| match finding.verdict {
-            Verdict::Unstable => Some(format!("unstable on purpose: {}", finding.what)),
-            _ => Some(finding.note()),
-        });
+        let before = [self.note_on_the_guide(), self.note_on_overdamping()];
+        let untold = |finding: &Finding| !self.is_of_the_guide(finding);
+        let findings =
+            self.findings().into_iter().filter(untold).map(|finding| match finding.verdict {
+                Verdict::Unstable => Some(format!("unstable on purpose: {}", finding.what)),
+                _ => Some(finding.note()),
+            });
         let after = [
             self.note_on_gravity(),
             self.note_on_stillness(discs),
@@ -30,7 +32,36 @@ impl Scenario {
         before.into_iter().chain(findings).chain(after).flatten().collect()
     }
 
-    fn note_on_damping(&self) -> Option<String> {
+    /// One line of all that the guide's own numbers bring with them, and who says more; of other presets how
+    /// they read the guide's damping.
+    fn note_on_the_guide(&self) -> Option<String> {
+        if !self.has_damping_of_the_guide() {
+            return self.reading_of_the_guide();
+        }
+        let is_soft = self.findings().iter().any(|finding| self.is_of_the_guide(finding));
+        let soft = if is_soft { ", and discs as soft as its numbers make them" } else { "" };
+        Some(format!(
+            "eta_n = 1.5e-3 kg/s for the guide's printed 1.5e3{soft}; `parsim2d check` says more"
+        ))
+    }
+
+    fn has_damping_of_the_guide(&self) -> bool {
+        matches!(self.preset, Preset::Guide | Preset::GuideListing)
+            && self.damping == self.preset.values().damping
+    }
+
+    /// Whether `finding` is about the guide's own softness, which [`notes`](Self::notes) tell in one line with its
+    /// damping: nothing that was changed makes its discs any softer.
+    pub fn is_of_the_guide(&self, finding: &Finding) -> bool {
+        let preset = Settings { preset: Some(self.preset), ..Settings::default() };
+        finding.matter == Matter::Softness
+            && self.has_damping_of_the_guide()
+            && Self::resolve(&preset, || 0)
+                .is_ok_and(|guide| self.expected_overlap() <= 1.001 * guide.expected_overlap())
+    }
+
+    /// How the preset reads the guide's damping, if that is the damping of this run.
+    pub fn reading_of_the_guide(&self) -> Option<String> {
         let printed = "the guide prints eta_n = 1.5e3";
         let zeta = damping_ratio(1.5e3, self.stiffness, 0.5 * self.mass);
         let times = format!("{} times critical damping for a pair", Num::rounded(zeta));

@@ -73,8 +73,16 @@ impl State {
             largest_wall_overlap: overlaps[2],
             shares: shares.map(|shares| shares.chunks_exact(PER_SHARE).map(of_share).collect()),
         };
-        let works =
-            Works { gravity: sums[0], spring: sums[1], dashpot: sums[2], external: sums[3] };
+        // Only where something was moved by hand; no run of the program does that.
+        let by_hand = match arrays.iter().any(|(name, _)| name == "by_hand") {
+            false => Sum::default(),
+            true => {
+                let sum = numbers(arrays, "by_hand", 2)?;
+                Sum { value: sum[0], carry: sum[1] }
+            }
+        };
+        let [gravity, spring, dashpot, external] = [sums[0], sums[1], sums[2], sums[3]];
+        let works = Works { gravity, spring, dashpot, external, by_hand };
         let plain = Snapshot { particles, tally, works, stored_energy, ..Snapshot::default() };
         Ok(Self { discs: with_crowd(plain, arrays)?, steps })
     }
@@ -96,7 +104,7 @@ fn views(discs: Remembered, steps: u64) -> Vec<(&'static str, ArrayView)> {
     let Remembered { particles, ids, tally, works, stored_energy, .. } = discs;
     let Remembered { springs, listed_at, skin, limit_squared, .. } = discs;
     let Tally { largest_pair_overlap, largest_sinking, largest_wall_overlap, shares } = tally;
-    let Works { gravity, spring, dashpot, external } = works;
+    let Works { gravity, spring, dashpot, external, by_hand } = works;
     let sums = [gravity, spring, dashpot, external].map(|sum| [sum.value, sum.carry]);
     let overlaps = [*largest_pair_overlap, *largest_sinking, *largest_wall_overlap];
     let mut views = vec![
@@ -106,6 +114,10 @@ fn views(discs: Remembered, steps: u64) -> Vec<(&'static str, ArrayView)> {
         ("stored_energy", ArrayView::of_numbers([[stored_energy]].into_iter())),
         ("particles", ArrayView::of_numbers(particles.iter().map(of_disc))),
     ];
+    if by_hand != Sum::default() {
+        let by_hand = [by_hand.value, by_hand.carry];
+        views.push(("by_hand", ArrayView::of_numbers([by_hand].into_iter())));
+    }
     if let Some(shares) = shares {
         let of_share = |s: &Share| [s.spring.x, s.spring.y, s.dashpot.x, s.dashpot.y];
         views.push(("shares", ArrayView::of_numbers(shares.iter().map(of_share))));

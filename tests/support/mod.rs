@@ -5,6 +5,7 @@
 pub mod handed_in;
 pub mod plotting;
 pub mod runs;
+pub mod scripts;
 pub mod student;
 
 use glam::DVec2;
