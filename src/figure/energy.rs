@@ -10,11 +10,11 @@ use super::label;
 use super::{Figure, Panel};
 use crate::analysis::energy::LedgerRow;
 
-/// An energy of a ledger's line.
-type Column = fn(&LedgerRow) -> f64;
+/// An energy of a ledger's line, J.
+pub type Column = fn(&LedgerRow) -> f64;
 
-/// Name, column number, colour and width of the curves.
-const ENERGIES: [(&str, usize, &str, f64, Column); 5] = [
+/// Name, column number, colour and width of the curves, and what they show.
+pub const ENERGIES: [(&str, usize, &str, f64, Column); 5] = [
     ("total", 7, "#000000", 2.5, |row| row.total_J),
     ("gravitational", 4, "#0072B2", 2.0, |row| row.gravitational_J),
     ("kinetic", 3, "#D55E00", 2.0, |row| row.kinetic_J),

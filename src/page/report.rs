@@ -2,16 +2,27 @@
 
 use std::fmt::Write;
 
+use super::film::Film;
+use super::gas::NoGas;
 use super::html::{escaped, figure, list, page, table};
+use super::parameters;
+use super::player::{Beginning, player};
 use super::words::Words;
 use crate::analysis::answer::{Answer, AnswerRow};
-use crate::figure::Figure;
+use crate::analysis::energy::LedgerRow;
+use crate::figure::{Figure, Panel};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 
+/// A chart and a picture of discs of half the width of a sheet, pixels: their text is of 8 points there.
+const CHART: (f64, f64) = (460.0, 330.0);
+const SCENE: (f64, f64) = (460.0, 382.0);
+
 /// Everything that a report shows.
 pub struct Report {
-    /// The command as it was typed, if it is known.
+    /// Who hands it in, if that was said.
+    pub name: Option<String>,
+    /// The command as it was typed, with its seed, if it is known.
     pub typed: Option<String>,
     /// The command that repeats the run.
     pub repeats: String,
@@ -29,10 +40,18 @@ pub struct Report {
     pub cut: Option<String>,
     /// The energies, if there is a ledger.
     pub energy: Option<Figure>,
+    /// The ledger; none of its lines if there is none.
+    pub rows: Vec<LedgerRow>,
+    /// All frames, to be played.
+    pub film: Film,
     /// The first and the last frame.
     pub frames: [Figure; 2],
+    /// The velocity field of the last frame, if any disc moves there.
+    pub velocity: Option<Figure>,
     /// The histogram of speeds, if any disc moves.
     pub speeds: Option<Figure>,
+    /// Why Maxwell's distribution says nothing of them.
+    pub no_gas: Option<NoGas>,
     /// Files beside the page, and their sizes in bytes.
     pub data: Vec<(String, u64)>,
 }
@@ -40,18 +59,38 @@ pub struct Report {
 impl Report {
     /// The page, in the language of `words`.
     pub fn html(&self, words: &Words) -> String {
+        let film = player(&self.film, &self.rows, &words.player, Beginning::WhenAsked);
         let parts = [
+            self.head(words),
             self.how_to_repeat(words),
+            format!("<div class=\"screen\">\n{}</div>\n", section(words.player_heading, &film)),
             self.failure(words),
-            self.results(words),
+            self.numbers(words),
             self.theory(words),
-            section(words.own_words, "<div class=\"own\" contenteditable=\"true\"></div>\n"),
+            section(words.own_words, &editable("div", "own", words.own_words, "")),
             self.diagnosis(words),
             self.pictures(words),
-            section(words.parameters, &format!("<pre>{}</pre>\n", escaped(&self.scenario))),
             self.data(words),
         ];
         page(words.code, words.report, &parts.concat())
+    }
+
+    fn head(&self, words: &Words) -> String {
+        let name = editable("span", "name", words.name, self.name.as_deref().unwrap_or_default());
+        format!(
+            "<header>\n<h1>{}</h1>\n<p class=\"who\"><span class=\"label\">{}</span> {name}</p>\n</header>\n",
+            escaped(words.report),
+            escaped(words.name)
+        )
+    }
+
+    /// Parameters beside results.
+    fn numbers(&self, words: &Words) -> String {
+        let dt = self.diagnosis.as_ref().ok().map(|diagnosis| diagnosis.dt_s);
+        let parameters = section(words.parameters, &parameters::list(&self.scenario, dt, words));
+        let listed = parameters::listed(&self.scenario, words);
+        let results = self.results(words);
+        format!("<div class=\"columns\">\n{parameters}{results}</div>\n{listed}")
     }
 
     fn how_to_repeat(&self, words: &Words) -> String {
@@ -71,7 +110,8 @@ impl Report {
             let name = words.failure_names.iter().find(|(known, _)| known == key);
             (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), value.clone())
         };
-        section(words.failure, &list(&self.failure.iter().map(named).collect::<Vec<_>>()))
+        let text = list(&self.failure.iter().map(named).collect::<Vec<_>>());
+        section(words.failure, &text.replacen("<dl>", "<dl class=\"said\">", 1))
     }
 
     fn theory(&self, words: &Words) -> String {
@@ -134,25 +174,38 @@ impl Report {
 
     fn pictures(&self, words: &Words) -> String {
         let energy = match &self.energy {
-            Some(energy) => figure(1, energy, words.energy_caption),
+            Some(energy) => {
+                let captions = [words.energy_caption, words.residue_caption];
+                let panels = energy.panels.iter().zip(captions).enumerate();
+                pair(panels.map(|(k, (panel, caption))| small(1 + k, panel, caption)))
+            }
             None => format!("<p>{}</p>\n", escaped(words.no_energy)),
         };
         let [first, last] = &self.frames;
-        let frames = format!(
-            "<div class=\"pair\">\n{}{}</div>\n",
-            figure(2, first, words.first_frame),
-            figure(3, last, words.last_frame)
-        );
+        let frames = [(first, words.first_frame), (last, words.last_frame)].into_iter().enumerate();
+        let frames = frames.flat_map(|(k, (figure, caption))| small_all(3 + k, figure, caption));
         let cut =
             self.cut.as_ref().map(|cut| format!("<p>{}{}</p>\n", escaped(words.cut), escaped(cut)));
-        let frames = frames + &cut.unwrap_or_default();
+        let frames = pair(frames) + &cut.unwrap_or_default();
+        section(words.energy, &energy) + &section(words.frames, &frames) + &self.motion(words)
+    }
+
+    /// The velocity field beside the histogram of speeds.
+    fn motion(&self, words: &Words) -> String {
+        let velocity = self.velocity.iter().flat_map(|figure| {
+            let text = small_all(5, figure, words.velocity_caption);
+            text.into_iter().map(|text| section(words.velocity, &text))
+        });
+        let said = match self.no_gas {
+            None => words.maxwell,
+            Some(why) => (words.no_maxwell)(why),
+        };
+        let caption = format!("{} {said}", words.speeds_caption);
         let speeds = match &self.speeds {
-            Some(speeds) => figure(4, speeds, words.speeds_caption),
+            Some(speeds) => small_all(6, speeds, &caption).concat(),
             None => format!("<p>{}</p>\n", escaped(words.no_speeds)),
         };
-        section(words.energy, &energy)
-            + &section(words.frames, &frames)
-            + &section(words.speeds, &speeds)
+        pair(velocity.chain([section(words.speeds, &speeds)]))
     }
 
     fn data(&self, words: &Words) -> String {
@@ -167,7 +220,44 @@ impl Report {
 }
 
 fn section(heading: &str, text: &str) -> String {
-    format!("<h2>{}</h2>\n{text}", escaped(heading))
+    format!("<section>\n<h2>{}</h2>\n{text}</section>\n", escaped(heading))
+}
+
+/// Parts side by side where there is room for them.
+fn pair(parts: impl Iterator<Item = String>) -> String {
+    format!("<div class=\"pair\">\n{}</div>\n", parts.collect::<String>())
+}
+
+/// A place to write into, of a `class`; what it is for is told to those who do not see it.
+fn editable(tag: &str, class: &str, purpose: &str, text: &str) -> String {
+    let (purpose, text) = (escaped(purpose), escaped(text));
+    format!(
+        "<{tag} class=\"{class}\" contenteditable=\"true\" role=\"textbox\" aria-label=\"{purpose}\">{text}</{tag}>\n"
+    )
+}
+
+/// The panels of a figure, each as number `k` of the page.
+fn small_all(k: usize, figure: &Figure, caption: &str) -> Vec<String> {
+    figure.panels.iter().map(|panel| small(k, panel, caption)).collect()
+}
+
+/// A panel of half the width of a sheet. Its title goes into the caption, which wraps.
+fn small(k: usize, panel: &Panel, caption: &str) -> String {
+    let mut panel = panel.clone();
+    let size = match panel {
+        Panel::Chart(_) => CHART,
+        Panel::Scene(_) => SCENE,
+    };
+    let title = match &mut panel {
+        Panel::Chart(chart) => &mut chart.title,
+        Panel::Scene(scene) => &mut scene.title,
+    };
+    let caption = match std::mem::take(title) {
+        title if title.is_empty() => caption.to_owned(),
+        title => format!("{title}. {caption}"),
+    };
+    let small = Figure { panels: vec![panel], columns: 1, panel: size, strip: None };
+    figure(k, &small, &caption)
 }
 
 fn sentence(verdict: Verdict, text: &str) -> String {
