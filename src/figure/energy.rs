@@ -53,7 +53,7 @@ pub fn is_finite(row: &LedgerRow) -> bool {
 
 /// Energies that grew more than so many times over the start's stand on a logarithmic axis, by their
 /// sizes: a linear one would show the last point only.
-const EXPLODED: f64 = 1e4;
+pub const EXPLODED: f64 = 1e4;
 
 /// The vertical axis of energies: its label, its kind, and the power of ten of its unit.
 struct Energies {

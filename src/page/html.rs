@@ -71,15 +71,16 @@ pub fn data(id: &str, value: &impl Serialize) -> String {
     format!("<script type=\"application/json\" id=\"{id}\">{json}</script>\n")
 }
 
-/// A whole page of `title` in `language` (a code such as `en`). A browser is told to load nothing.
-pub fn page(language: &str, title: &str, body: &str) -> String {
+/// A whole page of `title` in `language` (a code such as `en`), its body of a `class`. A browser is told to
+/// load nothing.
+pub fn page(language: &str, title: &str, class: &str, body: &str) -> String {
     let title = escaped(title);
     format!(
         "<!doctype html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
          style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body class=\"{class}\">\n{body}</body>\n</html>\n"
     )
 }
 

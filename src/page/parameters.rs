@@ -3,14 +3,20 @@
 use super::html::{self, escaped};
 use super::words::Words;
 
-/// Lines of listed discs and groups that a page has room for.
-const MOST_LINES: usize = 24;
+/// Listed discs and groups that a page has room for.
+const MOST_LISTED: usize = 8;
+
+/// Keys that tell nothing while they are off.
+const OFF: [&str; 2] = ["allow_unstable", "border"];
 
 /// The keys of the record `text` with their values and units, and the time step `dt` (s).
 pub fn list(text: &str, dt: Option<f64>, words: &Words) -> String {
     let keys = text.lines().take_while(|line| !line.starts_with("[["));
     let named = |line| {
         let (key, value) = parsed(line)?;
+        if value == "false" && OFF.contains(&key) {
+            return None;
+        }
         let name = words.parameter_names.iter().find(|(known, _)| *known == key);
         Some((name.map_or(key, |(_, name)| name).to_owned(), value))
     };
@@ -19,18 +25,43 @@ pub fn list(text: &str, dt: Option<f64>, words: &Words) -> String {
     html::list(&rows)
 }
 
-/// The discs and groups that the record lists, as far as there is room; nothing if there are none.
+/// The discs and groups that the record lists, a line each, as far as there is room; nothing if there are
+/// none.
 pub fn listed(text: &str, words: &Words) -> String {
-    let lines: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("[[")).collect();
-    if lines.is_empty() {
-        return String::new();
+    let blocks: Vec<&str> = text.split("\n[[").skip(1).collect();
+    let shown = &blocks[..blocks.len().min(MOST_LISTED)];
+    let mut page = String::new();
+    for same in shown.chunk_by(|a, b| kind(a) == kind(b)) {
+        let cells = |block: &&str| block.lines().filter_map(cell).collect::<Vec<_>>();
+        let head = cells(&same[0]).into_iter().map(|(key, _)| key);
+        let head = std::iter::once(kind(same[0]).to_owned()).chain(head).collect();
+        let row = |(k, block): (usize, &&str)| {
+            let values = cells(block).into_iter().map(|(_, value)| value);
+            std::iter::once(k.to_string()).chain(values).collect()
+        };
+        let rows = same.iter().enumerate().map(row);
+        page += &html::table(&std::iter::once(head).chain(rows).collect::<Vec<_>>());
     }
-    let shown = lines[..lines.len().min(MOST_LINES)].join("\n");
-    let more = match lines.len().saturating_sub(MOST_LINES) {
-        0 => String::new(),
-        more => format!("<p>{}</p>\n", escaped(&words.more_lines.replace("{}", &more.to_string()))),
-    };
-    format!("<pre>{}</pre>\n{more}", escaped(&shown))
+    match blocks.len() - shown.len() {
+        0 => page,
+        more => {
+            let more = words.more_listed.replace("{}", &more.to_string());
+            format!("{page}<p>{}</p>\n", escaped(&more))
+        }
+    }
+}
+
+/// `disc` or `population`.
+fn kind(block: &str) -> &str {
+    block.split("]]").next().unwrap_or_default()
+}
+
+/// Key with its unit, and value, of a line of a block.
+fn cell(line: &str) -> Option<(String, String)> {
+    let (key, rest) = line.split_once(" = ")?;
+    let (value, unit) = rest.split_once(" # ").unwrap_or((rest, ""));
+    let comma = if unit.is_empty() { "" } else { ", " };
+    Some((format!("{key}{comma}{unit}"), value.to_owned()))
 }
 
 /// Key and value of a line `key = value # unit`; nothing for a remark or an empty line.

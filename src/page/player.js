@@ -73,22 +73,21 @@
       const shade = Math.round(seen.speed * (film.shades.length - 1));
       brush.fillStyle = film.fastest === null ? film.plain : film.shades[shade];
       brush.beginPath();
-      brush.arc(left(seen.x), top(seen.y), Math.max(seen.radius * pixels, 0.7), 0, 2 * Math.PI);
+      brush.arc(left(seen.x), top(seen.y), Math.max(seen.radius * pixels, film.least), 0, 2 * Math.PI);
       brush.fill();
     }
   }
 
-  /** Where the curves lie: energies that grow without end are drawn by the powers of their sizes. */
+  /** Where the curves lie: energies that grow without end are drawn by the powers of ten of their sizes. */
   function energyScale() {
-    const values = film.energies.curves.flatMap((curve) => curve.values);
+    const { curves, isLog, unit } = film.energies;
+    const atStart = curves.reduce((sum, curve) => sum + Math.abs(curve.values[0]), 0);
+    const height = (value) => (isLog ? Math.log10(Math.max(Math.abs(value) / atStart, 1e-3)) : value);
+    const values = curves.flatMap((curve) => curve.values);
+    const high = values.map(height).reduce((most, value) => Math.max(most, value), 0);
+    const low = values.map(height).reduce((least, value) => Math.min(least, value), 0);
     const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-    const atStart = film.energies.curves.reduce((sum, curve) => sum + Math.abs(curve.values[0]), 0);
-    const isLog = largest > 1e4 * atStart && atStart > 0;
-    const height = (value) => (isLog ? Math.log10(Math.max(Math.abs(value), 1e-3 * atStart)) : value);
-    const heights = values.map(height);
-    const high = heights.reduce((most, value) => Math.max(most, value), isLog ? -Infinity : 0);
-    const low = heights.reduce((least, value) => Math.min(least, value), isLog ? Infinity : 0);
-    return { height, low, span: high - low || 1, label: `${shown(largest)} ${film.energies.unit}`, isLog };
+    return { height, low, span: high - low || 1, label: `${shown(largest)} ${unit}` };
   }
 
   const scale = film.energies === null ? null : energyScale();
@@ -117,7 +116,7 @@
     brush.textAlign = "right";
     brush.fillText(`${shown(last)} s`, width - 2, height - 4);
     brush.strokeStyle = "#bbb";
-    const ground = scale.isLog ? height - 18 : top(0);
+    const ground = top(film.energies.isLog ? 1e-300 : 0);
     brush.lineWidth = 1;
     brush.strokeRect(1, ground, width - 2, 0);
     for (const curve of film.energies.curves) {

@@ -6,7 +6,7 @@ use super::film::{ABSENT, BYTES, FASTEST, Film, SCALE};
 use super::html::{data, escaped, page};
 use super::words::{PlayerWords, Words};
 use crate::analysis::energy::LedgerRow;
-use crate::figure::energy::ENERGIES;
+use crate::figure::energy::{ENERGIES, EXPLODED};
 use crate::figure::{colour, label};
 
 const SCRIPT: &str = include_str!("player.js");
@@ -28,10 +28,15 @@ const PACES: [(&str, &str); 7] = [
 ];
 const USUAL_PACE: &str = "1";
 
+/// Pixels of a picture on a small screen.
+const NARROW: f64 = 330.0;
+
 /// The energies, one curve each, in one unit.
 #[derive(Serialize)]
 struct Energies {
     unit: String,
+    #[serde(rename = "isLog")]
+    is_log: bool,
     times: Vec<f64>, // s
     curves: Vec<Curve>,
 }
@@ -55,6 +60,7 @@ struct Data<'a> {
     fastest: Option<f64>,
     shades: Vec<String>,
     plain: String,
+    least: f64, // px
     bytes: usize,
     scale: u16,
     top: u8,
@@ -79,7 +85,7 @@ pub enum Beginning {
 pub fn alone(film: &Film, rows: &[LedgerRow], words: &Words) -> String {
     let heading = format!("<h1>{}</h1>\n", escaped(words.player.title));
     let body = heading + &player(film, rows, &words.player, Beginning::AtOnce);
-    page(words.code, words.player.title, &body)
+    page(words.code, words.player.title, "alone", &body)
 }
 
 /// The player of a film, beside the energies of the ledger `rows`, if there are any.
@@ -89,15 +95,14 @@ pub fn player(film: &Film, rows: &[LedgerRow], words: &PlayerWords, begins: Begi
     let beside = energies.as_ref().map_or(String::new(), |energies| beside(energies, words));
     let bar = film.fastest().map_or(String::new(), |fastest| bar(fastest, words));
     let seen = escaped(words.picture);
+    let (controls, note) = (controls(film, words), note(film, words));
     let stage = format!(
         "<div class=\"stage\">\n<div>\n<canvas id=\"discs\" role=\"img\" aria-label=\"{seen}\"></canvas>\n\
-         {bar}</div>\n{beside}</div>\n"
+         {controls}{bar}</div>\n{beside}</div>\n"
     );
-    let controls = controls(film, words);
-    let note = note(film, words);
     let script = format!("<script>\n{SCRIPT}</script>\n");
     let film = data("film", &contents(film, energies, words, begins));
-    format!("<section class=\"player\">\n{stage}{controls}{note}</section>\n{film}{script}")
+    format!("<section class=\"player\">\n{stage}{note}</section>\n{film}{script}")
 }
 
 fn contents<'a>(
@@ -118,6 +123,7 @@ fn contents<'a>(
         fastest: film.fastest(),
         shades: (0..SHADES).map(shade).collect(),
         plain: colour::OKABE_ITO[0].to_owned(),
+        least: least_radius(film),
         bytes: BYTES,
         scale: SCALE,
         top: FASTEST,
@@ -128,6 +134,11 @@ fn contents<'a>(
         words,
         places: film.places(),
     }
+}
+
+/// Discs are drawn with this radius at least, px: as many as there are, they do not fill the picture.
+fn least_radius(film: &Film) -> f64 {
+    if film.discs() <= 500 { 1.6 } else { 0.7 }
 }
 
 /// The energies at no more moments than can be seen, the first and the last among them.
@@ -141,8 +152,10 @@ fn energies(rows: &[LedgerRow], words: &PlayerWords) -> Option<Energies> {
     let largest = |column: fn(&LedgerRow) -> f64| {
         rows.iter().map(|row| column(row).abs()).fold(0.0, f64::max)
     };
-    let sizes = ENERGIES.iter().map(|(.., column)| largest(*column));
-    let (prefix, power) = label::prefix(sizes.fold(0.0, f64::max));
+    let largest = ENERGIES.iter().map(|(.., column)| largest(*column)).fold(0.0, f64::max);
+    let at_start: f64 = ENERGIES.iter().map(|(.., column)| column(rows[0]).abs()).sum();
+    let is_log = largest > EXPLODED * at_start && at_start > 0.0;
+    let (prefix, power) = if is_log { (String::new(), 0) } else { label::prefix(largest) };
     let curves = ENERGIES.map(|(name, _, colour, _, column)| {
         let said = words.energies.iter().find(|(known, _)| *known == name);
         let values = rows.iter().map(|row| digits(column(row) * 10f64.powi(-power))).collect();
@@ -150,6 +163,7 @@ fn energies(rows: &[LedgerRow], words: &PlayerWords) -> Option<Energies> {
     });
     Some(Energies {
         unit: format!("{prefix}J"),
+        is_log,
         times: rows.iter().map(|row| row.time_s).collect(),
         curves: curves.into(),
     })
@@ -225,6 +239,11 @@ fn note(film: &Film, words: &PlayerWords) -> String {
     }
     if film.disc_step() > 1 {
         parts.push(words.fewer_discs.replacen("{}", &film.disc_step().to_string(), 1));
+    }
+    if least_radius(film) * film.view().width / NARROW
+        > film.radii().iter().copied().fold(0.0, f64::max)
+    {
+        parts.push(words.enlarged.to_owned());
     }
     parts.push(words.keys.to_owned());
     let without = escaped(words.no_script);

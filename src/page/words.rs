@@ -30,8 +30,8 @@ pub struct Words {
     pub parameter_names: [(&'static str, &'static str); 17],
     /// Name of the time step.
     pub time_step: &'static str,
-    /// Said below the first lines of a long list of discs, `{}` for how many are left out.
-    pub more_lines: &'static str,
+    /// Said below the first of many listed discs, `{}` for how many are left out.
+    pub more_listed: &'static str,
     /// Heading of the results.
     pub results: &'static str,
     /// Names of the results, by their keys in the file of the run; others are shown under their keys.
@@ -74,19 +74,19 @@ pub struct Words {
     pub last_frame: &'static str,
     /// Heading of the velocity field.
     pub velocity: &'static str,
-    /// Below the velocity field.
+    /// Below the velocity field, `{}` for how long the longest arrow is.
     pub velocity_caption: &'static str,
     /// Heading of the histogram.
     pub speeds: &'static str,
-    /// Below the histogram.
-    pub speeds_caption: &'static str,
     /// Below a histogram with Maxwell's curve.
     pub maxwell: &'static str,
     /// Why there is no such curve.
     pub no_maxwell: fn(NoGas) -> &'static str,
     /// Said of a run of few discs, or whose discs never move.
     pub no_speeds: &'static str,
-    /// Heading of the links.
+    /// Said below discs that are drawn larger than they are.
+    pub enlarged: &'static str,
+    /// Before the links.
     pub data: &'static str,
 }
 
@@ -139,6 +139,9 @@ pub struct PlayerWords {
     /// Said of a film that shows every so-manieth disc.
     #[serde(skip)]
     pub fewer_discs: &'static str,
+    /// Said of discs that are drawn larger than they are.
+    #[serde(skip)]
+    pub enlarged: &'static str,
     /// Which keys do what.
     #[serde(skip)]
     pub keys: &'static str,
@@ -177,6 +180,7 @@ pub const ENGLISH: Words = Words {
         rate: "a second shows {} s of the run",
         fewer_frames: "The page has {} of the {} frames of the file.",
         fewer_discs: "It shows one disc of every {}; the run had them all.",
+        enlarged: "On small screens discs are drawn larger than they are, to be seen.",
         keys: "Space plays and pauses, the arrow keys go frame by frame, Home and End to the ends.",
         no_script: "The player needs JavaScript, which is switched off here.",
     },
@@ -204,7 +208,7 @@ pub const ENGLISH: Words = Words {
         ("border", "border discs in out.txt"),
     ],
     time_step: "time step dt",
-    more_lines: "and {} lines more in last-run.toml",
+    more_listed: "and {} more in last-run.toml",
     results: "Results",
     result_names: [
         ("version", "version of parsim2d"),
@@ -241,28 +245,38 @@ pub const ENGLISH: Words = Words {
     cut: "The run cannot be drawn from frame ",
     energy: "Energy",
     energy_caption: "Where the energy is. The total counts what damping took.",
-    residue_caption: "Two residues: the integration error (the change of the total: is the time step \
-        right?) and the work residue (is the bookkeeping right?).",
+    residue_caption: "The integration error (change of the total): is the time step right? The work \
+        residue: is the bookkeeping right?",
     no_energy: "This run kept no energy ledger.",
     frames: "The discs",
     first_frame: "At the start.",
     last_frame: "At the end.",
     velocity: "Velocity field",
-    velocity_caption: "The longest arrow is 5 % of the box.",
+    velocity_caption: "The longest arrow is {} % of the box.",
     speeds: "Speeds",
-    speeds_caption: "All speeds of all frames.",
     maxwell: "The curve is Maxwell's distribution in two dimensions of the same mean square: what a gas in \
         equilibrium has.",
     no_maxwell: |why| match why {
-        NoGas::Few => "Too few discs for a distribution to be told from chance.",
-        NoGas::Unlike => "No curve of Maxwell's: the discs have different masses, each with its own.",
+        NoGas::Few => "No curve of Maxwell's: the discs are too few for it to be told from chance.",
+        NoGas::Unlike => {
+            "No curve of Maxwell's: the discs have different masses, each with its own."
+        }
         NoGas::Open => "No curve of Maxwell's: without walls the discs fly apart.",
-        NoGas::Unknown => "No curve of Maxwell's: without a ledger it is not known whether this is a gas.",
+        NoGas::Unknown => {
+            "No curve of Maxwell's: without a ledger it is not known whether this is a gas."
+        }
         NoGas::Still => "No curve of Maxwell's: nothing moves.",
-        NoGas::Cooling => "No curve of Maxwell's: damping took much of the energy, so this is no gas in equilibrium.",
-        NoGas::Unsteady => "No curve of Maxwell's: the kinetic energy changed, so this is no gas in equilibrium.",
-        NoGas::Sparse => "No curve of Maxwell's: the discs hardly met, so nothing brought them to equilibrium.",
+        NoGas::Cooling => {
+            "No curve of Maxwell's: damping took much of the energy, so this is no gas in equilibrium."
+        }
+        NoGas::Unsteady => {
+            "No curve of Maxwell's: the kinetic energy changed, so this is no gas in equilibrium."
+        }
+        NoGas::Sparse => {
+            "No curve of Maxwell's: the discs hardly met, so nothing brought them to equilibrium."
+        }
     },
     no_speeds: "No histogram: too few discs, or none that moves.",
-    data: "Data",
+    enlarged: "Discs are drawn larger than they are, to be seen.",
+    data: "Beside this page: ",
 };
