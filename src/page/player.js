@@ -18,7 +18,7 @@
 
   let frame = 0; // the one that is shown
   let time = begin; // s, which moves on between two frames
-  let isPlaying = false;
+  let timer = null; // while it plays
   let before = 0; // ms, when the time was last moved
 
   /** The place of a disc in a frame, m, and its speed, 0 to 1; nothing if it is not in the picture. */
@@ -143,7 +143,7 @@
     moment.value = frame;
     const said = film.times === null ? words.frame : words.clock;
     clock.textContent = said.replace("{}", film.times === null ? frame : times[frame].toPrecision(4));
-    play.textContent = isPlaying ? words.pause : words.play;
+    play.textContent = timer === null ? words.play : words.pause;
   }
 
   /** Run seconds that pass in a second at the pace chosen. */
@@ -162,34 +162,34 @@
   }
 
   function stop() {
-    isPlaying = false;
+    clearInterval(timer);
+    timer = null;
     draw();
   }
 
   function start() {
+    if (timer !== null) return;
     if (frame === film.frames - 1) goTo(0);
-    isPlaying = true;
     before = performance.now();
+    timer = setInterval(tick, 16); // ms
     draw();
-    requestAnimationFrame(tick);
   }
 
-  function tick(at) {
-    if (!isPlaying) return;
-    time += (Math.max(at - before, 0) / 1000) * runSeconds();
-    before = Math.max(at, before);
+  function tick() {
+    const at = performance.now();
+    time += ((at - before) / 1000) * runSeconds();
+    before = at;
     const next = lastBefore(times, time);
     if (next !== frame) {
       frame = next;
       draw();
     }
     if (frame === film.frames - 1) stop();
-    else requestAnimationFrame(tick);
   }
 
-  const toggle = () => (isPlaying ? stop() : start());
+  const toggle = () => (timer === null ? start() : stop());
   const stepBy = (frames) => {
-    isPlaying = false;
+    stop();
     goTo(frame + frames);
   };
 

@@ -185,7 +185,7 @@ pub const ENGLISH: Words = Words {
         no_script: "The player needs JavaScript, which is switched off here.",
     },
     how_to_repeat: "How to repeat it",
-    typed: "The command, with its seed: ",
+    typed: "The command: ",
     repeats: "The same run from the record beside this page: ",
     parameters: "Parameters",
     parameter_names: [
