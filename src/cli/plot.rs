@@ -3,6 +3,7 @@
 mod arguments;
 mod error;
 mod input;
+mod player;
 mod progress;
 mod target;
 
@@ -38,6 +39,7 @@ pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
     match &arguments.kind {
         Kind::Frame(arguments) => plot_frame(arguments)?,
         Kind::Trajectory(arguments) if arguments.gif => plot_animation(arguments)?,
+        Kind::Trajectory(arguments) if arguments.html => player::plot(arguments)?,
         Kind::Trajectory(arguments) => plot_trajectory(arguments)?,
         Kind::Energy(arguments) => plot_energy(arguments)?,
         Kind::Velocity(arguments) => plot_velocity(arguments)?,

@@ -7,16 +7,20 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::plot::{FrameFile, ledger, pooled_speeds};
+use super::plot::{FrameFile, ledger};
 use super::told::{Told, Untold};
 use super::{Failure, answer};
 use crate::figure::Figure;
-use crate::figure::frame::{self, Choice, ColourBy, has_velocities};
-use crate::figure::{energy, speeds};
+use crate::figure::frame::{self, Choice, ColourBy, fastest, has_velocities};
+use crate::figure::speeds::{Histogram, Moments};
+use crate::figure::survey::Survey;
+use crate::figure::{energy, speeds, velocity};
 use crate::output::failure;
 use crate::output::frames::Frame;
 use crate::output::record;
 use crate::output::replace::replace;
+use crate::page::film::Film;
+use crate::page::gas::{NoGas, no_gas};
 use crate::page::report::Report;
 use crate::page::words::ENGLISH;
 
@@ -24,9 +28,11 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   parsim2d report                          the run in this folder: report.html
   parsim2d report . -o handed_in.html      under another name
+  parsim2d report --name 'Ada Lovelace'    with the author's name
   parsim2d report --help                   this text
 
-The page needs no network and prints well: parameters, diagnosis, energy, frames, speeds.";
+The page needs no network: the run to look at, parameters, diagnosis, energy, frames, velocity field, speeds.
+It prints on two sheets at most; name and answer can be written into it in the browser.";
 
 #[derive(Args)]
 pub(super) struct ReportArguments {
@@ -36,6 +42,9 @@ pub(super) struct ReportArguments {
     /// The page [default: report.html in that folder]
     #[arg(short, long, value_name = "FILE.html")]
     out: Option<PathBuf>,
+    /// Who hands it in
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
 }
 
 /// Why there is no report. Nothing has been written when this is returned.
@@ -63,7 +72,8 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html")) {
         return Err(ReportError::BadOut { path: out, why: "the report is a .html file" }.into());
     }
-    let html = gathered(folder, &out)?.html(&ENGLISH);
+    let report = Report { name: arguments.name.clone(), ..gathered(folder, &out)? };
+    let html = report.html(&ENGLISH);
     replace(&out, |file| file.write_all(html.as_bytes()))?;
     writeln!(io::stdout(), "wrote {}", out.display())?;
     Ok(ExitCode::SUCCESS)
@@ -86,28 +96,75 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let typed = results.iter().position(|(name, _)| name == record::COMMAND);
     let typed = typed.map(|k| results.remove(k).1);
     let scenario = said.map(|(_, scenario)| scenario);
-    let rows = ledger(&folder.join("energy.csv")).ok(); // none was kept, or it has one line only
+    let has_walls = scenario.as_ref().map_or(true, |scenario| scenario.walls);
+    let seen = Seen::of(&frames, whole - 1, has_walls)?;
+    // None was kept, or it has one line only.
+    let rows = ledger(&folder.join("energy.csv")).unwrap_or_default();
+    let no_gas = scenario.as_ref().map_or(Some(NoGas::Unknown), |scenario| no_gas(scenario, &rows));
     Ok(Report {
+        name: None,
         typed,
         repeats: format!("parsim2d {}", record::FILE),
-        scenario: text.lines().filter(|line| !line.starts_with("# result")).fold(
-            String::new(),
-            |mut text, line| {
-                text.push_str(line);
-                text.push('\n');
-                text
-            },
-        ),
+        scenario: parameters(&text),
         results,
         answer: scenario.as_ref().map(answer::of).unwrap_or_default(),
+        no_gas,
         diagnosis: scenario.map(|scenario| scenario.diagnosis()).map_err(|why| why.to_string()),
         failure: failure(folder),
-        energy: rows.map(|rows| energy::figure(&rows)),
-        frames: [picture(&frames.frame(Some(0))?.1), picture(&last)],
+        energy: (!rows.is_empty()).then(|| energy::figure(&rows)),
+        rows,
+        frames: [picture(&seen.first), picture(&seen.last)],
         cut: cut.map(|why| format!("{}: {why}", whole)),
-        speeds: histogram(&frames, whole - 1)?,
+        velocity: (fastest(&seen.last) > 0.0).then(|| velocity::figure(&seen.last)),
+        speeds: seen.speeds.map(|speeds| histogram(speeds, no_gas.is_none())),
+        film: seen.film,
         data: data(folder, out),
     })
+}
+
+/// The lines of a record without its results.
+fn parameters(record: &str) -> String {
+    let lines = record.lines().filter(|line| !line.starts_with("# result"));
+    lines.map(|line| format!("{line}\n")).collect()
+}
+
+/// What is seen of all frames, in two passes through the file.
+struct Seen {
+    first: Frame,
+    last: Frame,
+    film: Film,
+    speeds: Option<Histogram>,
+}
+
+impl Seen {
+    /// Of the frames up to number `last`, without the box if there is none.
+    fn of(file: &FrameFile, last: usize, has_walls: bool) -> Result<Self, Failure> {
+        let shown = |mut frame: Frame| {
+            frame.side = frame.side.filter(|_| has_walls);
+            frame
+        };
+        let (mut survey, mut moments) = (Survey::begin(), Moments::default());
+        file.each_frame(Some(last), |_, frame| {
+            survey.add(&shown(frame.clone()));
+            moments.add(&frame);
+            Ok(())
+        })?;
+        let (mut film, mut histogram) = (Film::begin(survey), Histogram::new(moments));
+        let mut ends = [Frame::default(), Frame::default()];
+        file.each_frame(Some(last), |index, frame| {
+            let frame = shown(frame);
+            film.add(&frame);
+            histogram.add(&frame);
+            ends[usize::from(index > 0)] = frame;
+            Ok(())
+        })?;
+        let [first, last] = ends;
+        let last = if survey.frames > 1 { last } else { first.clone() };
+        // Of a few discs there is nothing to be learnt from.
+        const FEWEST_DISCS: usize = 10;
+        let has_speeds = survey.discs >= FEWEST_DISCS && !histogram.is_at_rest();
+        Ok(Self { first, last, film, speeds: has_speeds.then_some(histogram) })
+    }
 }
 
 /// What `failure.json` says, by its keys.
@@ -135,15 +192,11 @@ fn picture(one: &Frame) -> Figure {
     frame::figure(one, Choice { by, vectors: false })
 }
 
-/// The speeds of all frames up to number `last`; of a few discs there is nothing to be learnt from.
-fn histogram(file: &FrameFile, last: usize) -> Result<Option<Figure>, Failure> {
-    const FEWEST_DISCS: usize = 10;
-    if file.frame(Some(0))?.1.rows.len() < FEWEST_DISCS {
-        return Ok(None);
-    }
-    let histogram = pooled_speeds(file, Some(last))?;
+/// The picture of all speeds, with Maxwell's curve only if that says something.
+fn histogram(histogram: Histogram, is_gas: bool) -> Figure {
     let title = histogram.title(None);
-    Ok((!histogram.is_at_rest()).then(|| speeds::figure(&histogram, &title)))
+    let histogram = if is_gas { histogram } else { histogram.bare() };
+    speeds::figure(&histogram, &title)
 }
 
 /// The files of the run, as links from the folder of the page. A page elsewhere has none: they

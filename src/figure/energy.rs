@@ -10,10 +10,10 @@ use super::label;
 use super::{Figure, Panel};
 use crate::analysis::energy::LedgerRow;
 
-/// An energy of a ledger's line.
-type Column = fn(&LedgerRow) -> f64;
+/// An energy of a ledger's line, J.
+pub type Column = fn(&LedgerRow) -> f64;
 
-/// Name, column number, colour and width of the curves.
+/// Name, column number, colour and width of the curves, and what they show.
 const ENERGIES: [(&str, usize, &str, f64, Column); 6] = [
     ("total", 7, "#000000", 2.5, |row| row.total_J),
     ("gravitational", 4, "#0072B2", 2.0, |row| row.gravitational_J),
@@ -56,7 +56,7 @@ pub fn is_finite(row: &LedgerRow) -> bool {
 
 /// Energies that grew more than so many times over the start's stand on a logarithmic axis, by their
 /// sizes: a linear one would show the last point only.
-const EXPLODED: f64 = 1e4;
+pub const EXPLODED: f64 = 1e4;
 
 /// The vertical axis of energies: its label, its kind, and the power of ten of its unit.
 struct Energies {
@@ -98,8 +98,8 @@ impl Energies {
     }
 }
 
-/// The curves of a ledger.
-fn energies(
+/// The curves of a ledger: name, column number, colour, width, and what they show.
+pub fn energies(
     rows: &[LedgerRow],
 ) -> impl Iterator<Item = (&'static str, usize, &'static str, f64, Column)> {
     let is_supplied = rows.iter().any(|row| row.supplied_J != 0.0);

@@ -307,8 +307,9 @@ impl Ground {
         let stroke = "stroke=\"black\"";
         svg.rectangle(plot, "fill=\"none\" stroke=\"#a0a0a0\"");
         let fixed = |low, high| Axis { low: Some(low), high: Some(high), ..Axis::linear("") };
+        let most = ((plot.width / 100.0) as usize).clamp(2, 6); // texts do not run into each other
         let (x, y) = (fixed(low.x, high.x), fixed(low.y, high.y));
-        let (marks, power) = x.fit(std::iter::empty()).marks(6);
+        let (marks, power) = x.fit(std::iter::empty()).marks(most);
         for (mark, text) in marks {
             let (at, _) = self.point(DVec2::new(mark, 0.0));
             svg.line((at, plot.bottom()), (at, plot.bottom() + 5.0), stroke);
@@ -316,7 +317,7 @@ impl Ground {
         }
         let below = (plot.left + plot.width / 2.0, plot.bottom() + 42.0);
         svg.text(below, Anchor::Middle, &Placed::titled("x, m", power));
-        let (marks, power) = y.fit(std::iter::empty()).marks(6);
+        let (marks, power) = y.fit(std::iter::empty()).marks(most);
         for (mark, text) in marks {
             let (_, at) = self.point(DVec2::new(0.0, mark));
             svg.line((plot.left, at), (plot.left - 5.0, at), stroke);

@@ -68,6 +68,7 @@ pub struct Histogram {
     moments: Moments,
     width: f64, // m/s
     counts: Vec<usize>,
+    is_bare: bool,
 }
 
 impl Histogram {
@@ -79,7 +80,7 @@ impl Histogram {
         let (digit, power) = ticks::step(largest / bins);
         let width = digit * 10f64.powi(power);
         let count = (largest / width).floor().clamp(0.0, 1000.0) as usize + 1;
-        Self { moments, width, counts: vec![0; count] }
+        Self { moments, width, counts: vec![0; count], is_bare: false }
     }
 
     /// Counts the speeds of a frame.
@@ -99,6 +100,11 @@ impl Histogram {
         self.counts.iter().enumerate().map(bar).collect()
     }
 
+    /// The same without Maxwell's curve: of discs that are no gas in equilibrium it tells nothing.
+    pub fn bare(self) -> Self {
+        Self { is_bare: true, ..self }
+    }
+
     /// Width of a bin, m/s.
     pub fn width(&self) -> f64 {
         self.width
@@ -116,7 +122,7 @@ impl Histogram {
 
     fn has_curve(&self) -> bool {
         let s = self.s();
-        s.is_finite() && s > 1e-300
+        !self.is_bare && s.is_finite() && s > 1e-300
     }
 
     fn last_edge(&self) -> f64 {

@@ -11,6 +11,8 @@ pub struct Survey {
     pub frames: usize,
     /// Number of discs of the first frame.
     pub discs: usize,
+    /// Number of discs of the frame with most of them.
+    pub most_discs: usize,
     /// The fastest speed of all, m/s.
     pub fastest: f64,
     /// Whether the frames have velocities.
@@ -26,6 +28,7 @@ impl Survey {
         Self {
             frames: 0,
             discs: 0,
+            most_discs: 0,
             fastest: 0.0,
             has_velocities: false,
             side: None,
@@ -40,6 +43,7 @@ impl Survey {
             self.discs = frame.rows.len();
         }
         self.frames += 1;
+        self.most_discs = self.most_discs.max(frame.rows.len());
         self.has_velocities |= frame::has_velocities(frame);
         self.fastest = self.fastest.max(frame::fastest(frame));
         self.extent.add(frame);

@@ -2,16 +2,33 @@
 
 use std::fmt::Write;
 
+use super::film::Film;
+use super::gas::NoGas;
 use super::html::{escaped, figure, list, page, table};
+use super::parameters;
+use super::player::{Beginning, player};
 use super::words::Words;
 use crate::analysis::answer::{Answer, AnswerRow};
-use crate::figure::Figure;
+use crate::analysis::energy::LedgerRow;
+use crate::figure::frame::LONGEST_ARROW;
+use crate::figure::scene::Scene;
+use crate::figure::{Figure, Panel};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 
+/// A chart and a picture of discs of half the width of a sheet, pixels: their text is of 8 points there.
+const CHART: (f64, f64) = (460.0, 310.0);
+const SCENE: (f64, f64) = (460.0, 382.0);
+/// So many discs or fewer may be drawn larger than they are, with longer arrows.
+const FEW: usize = 200;
+/// The least radius of such discs, as a fraction of what is shown.
+const LEAST_RADIUS: f64 = 0.005;
+
 /// Everything that a report shows.
 pub struct Report {
-    /// The command as it was typed, if it is known.
+    /// Who hands it in, if that was said.
+    pub name: Option<String>,
+    /// The command as it was typed, with its seed, if it is known.
     pub typed: Option<String>,
     /// The command that repeats the run.
     pub repeats: String,
@@ -29,10 +46,18 @@ pub struct Report {
     pub cut: Option<String>,
     /// The energies, if there is a ledger.
     pub energy: Option<Figure>,
+    /// The ledger; none of its lines if there is none.
+    pub rows: Vec<LedgerRow>,
+    /// All frames, to be played.
+    pub film: Film,
     /// The first and the last frame.
     pub frames: [Figure; 2],
+    /// The velocity field of the last frame, if any disc moves there.
+    pub velocity: Option<Figure>,
     /// The histogram of speeds, if any disc moves.
     pub speeds: Option<Figure>,
+    /// Why Maxwell's distribution says nothing of them.
+    pub no_gas: Option<NoGas>,
     /// Files beside the page, and their sizes in bytes.
     pub data: Vec<(String, u64)>,
 }
@@ -40,18 +65,45 @@ pub struct Report {
 impl Report {
     /// The page, in the language of `words`.
     pub fn html(&self, words: &Words) -> String {
+        let film = player(&self.film, &self.rows, &words.player, Beginning::WhenAsked);
         let parts = [
+            self.head(words),
             self.how_to_repeat(words),
+            format!("<div class=\"screen\">\n{}</div>\n", section(words.player_heading, &film)),
             self.failure(words),
-            self.results(words),
-            self.theory(words),
-            section(words.own_words, "<div class=\"own\" contenteditable=\"true\"></div>\n"),
+            self.numbers(words),
+            section(words.own_words, &editable("div", "own", words.own_words, "")),
             self.diagnosis(words),
             self.pictures(words),
-            section(words.parameters, &format!("<pre>{}</pre>\n", escaped(&self.scenario))),
-            self.data(words),
         ];
-        page(words.code, words.report, &parts.concat())
+        let class = if self.is_long() { "long" } else { "usual" };
+        page(words.code, words.report, class, &parts.concat())
+    }
+
+    /// Whether there is so much to say that the first sheet must be printed smaller to hold it.
+    fn is_long(&self) -> bool {
+        const USUAL_FINDINGS: usize = 2;
+        let findings = self.diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
+        let lists_discs = self.scenario.contains("\n[[");
+        findings > USUAL_FINDINGS || !self.failure.is_empty() || lists_discs
+    }
+
+    fn head(&self, words: &Words) -> String {
+        let name = editable("span", "name", words.name, self.name.as_deref().unwrap_or_default());
+        format!(
+            "<header>\n<h1>{}</h1>\n<p class=\"who\"><span class=\"label\">{}</span> {name}</p>\n</header>\n",
+            escaped(words.report),
+            escaped(words.name)
+        )
+    }
+
+    /// Parameters beside results.
+    fn numbers(&self, words: &Words) -> String {
+        let dt = self.diagnosis.as_ref().ok().map(|diagnosis| diagnosis.dt_s);
+        let parameters = section(words.parameters, &parameters::list(&self.scenario, dt, words));
+        let listed = parameters::listed(&self.scenario, words);
+        let results = self.results(words) + &self.theory(words);
+        format!("<div class=\"columns\">\n{parameters}<div>\n{results}</div>\n</div>\n{listed}")
     }
 
     fn how_to_repeat(&self, words: &Words) -> String {
@@ -60,18 +112,27 @@ impl Report {
         };
         let typed = self.typed.as_ref().map(|typed| line(words.typed, typed));
         let again = line(words.repeats, &self.repeats);
-        section(words.how_to_repeat, &(typed.unwrap_or_default() + &again))
+        section(words.how_to_repeat, &(typed.unwrap_or_default() + &again + &self.data(words)))
     }
 
     fn failure(&self, words: &Words) -> String {
-        if self.failure.is_empty() {
+        if self.failure.is_empty() && self.cut.is_none() {
             return String::new();
         }
-        let named = |(key, value): &(String, String)| {
+        const SHORT: usize = 24; // letters
+        let mut text = "<dl class=\"said\">\n".to_owned();
+        for (key, value) in &self.failure {
             let name = words.failure_names.iter().find(|(known, _)| known == key);
-            (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), value.clone())
-        };
-        section(words.failure, &list(&self.failure.iter().map(named).collect::<Vec<_>>()))
+            let (name, value) = (name.map_or(key.as_str(), |(_, name)| name), rounded(value));
+            let class = if value.len() > SHORT { " class=\"wide-one\"" } else { "" };
+            let (name, value) = (escaped(name), escaped(&value));
+            let _ = writeln!(text, "<dt{class}>{name}</dt><dd{class}>{value}</dd>");
+        }
+        text += "</dl>\n";
+        if let Some(cut) = &self.cut {
+            let _ = writeln!(text, "<p>{}{}</p>", escaped(words.cut), escaped(cut));
+        }
+        section(words.failure, &text)
     }
 
     fn theory(&self, words: &Words) -> String {
@@ -90,9 +151,7 @@ impl Report {
     fn results(&self, words: &Words) -> String {
         let named = |(key, value): &(String, String)| {
             let name = words.result_names.iter().find(|(known, _)| known == key);
-            let rounded = value.parse().ok().filter(|_| value.contains('.') || value.contains('e'));
-            let value = rounded.map_or(value.clone(), short);
-            (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), value)
+            (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), rounded(value))
         };
         let text = match self.results.is_empty() {
             true => format!("<p>{}</p>\n", escaped(words.no_results)),
@@ -122,56 +181,141 @@ impl Report {
             let [pair, wall] = [figure.pair, figure.wall].map(cell);
             [figure.name.to_owned(), pair, wall, verdict(figure.verdict)]
         });
+        text += "<div class=\"tables\">\n";
         text += &rows(words.contact_head, figures.collect());
         let limits = diagnosis.limits.iter().map(|limit| {
             let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
             [limit.by.clone(), dt, fraction, verdict(Some(limit.verdict))]
         });
         text += &rows(words.limit_head, limits.collect());
-        let _ = writeln!(text, "<p>{}</p>", escaped(CAVEAT));
+        let _ = writeln!(text, "</div>\n<p>{}</p>", escaped(CAVEAT));
         section(words.diagnosis, &text)
     }
 
     fn pictures(&self, words: &Words) -> String {
         let energy = match &self.energy {
-            Some(energy) => figure(1, energy, words.energy_caption),
+            Some(energy) => {
+                let captions = [words.energy_caption, words.residue_caption];
+                let panels = energy.panels.iter().zip(captions).enumerate();
+                pair(panels.map(|(k, (panel, caption))| small(1 + k, panel, caption, words)))
+            }
             None => format!("<p>{}</p>\n", escaped(words.no_energy)),
         };
         let [first, last] = &self.frames;
-        let frames = format!(
-            "<div class=\"pair\">\n{}{}</div>\n",
-            figure(2, first, words.first_frame),
-            figure(3, last, words.last_frame)
-        );
-        let cut =
-            self.cut.as_ref().map(|cut| format!("<p>{}{}</p>\n", escaped(words.cut), escaped(cut)));
-        let frames = frames + &cut.unwrap_or_default();
+        let frames = [(first, words.first_frame), (last, words.last_frame)].into_iter().enumerate();
+        let frames =
+            frames.flat_map(|(k, (figure, caption))| small_all(3 + k, figure, caption, words));
+        section(words.energy, &energy) + &section(words.frames, &pair(frames)) + &self.motion(words)
+    }
+
+    /// The velocity field beside the histogram of speeds.
+    fn motion(&self, words: &Words) -> String {
+        let velocity = self.velocity.iter().flat_map(|figure| {
+            let mut figure = figure.clone();
+            let stretch = stretched(&mut figure);
+            let longest = (100.0 * stretch * LONGEST_ARROW).round().to_string();
+            let caption = words.velocity_caption.replace("{}", &longest);
+            let text = small_all(5, &figure, &caption, words);
+            text.into_iter().map(|text| section(words.velocity, &text))
+        });
+        let said = match self.no_gas {
+            None => words.maxwell,
+            Some(why) => (words.no_maxwell)(why),
+        };
         let speeds = match &self.speeds {
-            Some(speeds) => figure(4, speeds, words.speeds_caption),
+            Some(speeds) => small_all(6, speeds, said, words).concat(),
             None => format!("<p>{}</p>\n", escaped(words.no_speeds)),
         };
-        section(words.energy, &energy)
-            + &section(words.frames, &frames)
-            + &section(words.speeds, &speeds)
+        pair(velocity.chain([section(words.speeds, &speeds)]))
     }
 
     fn data(&self, words: &Words) -> String {
-        let mut text = "<ul>\n".to_owned();
-        for (name, bytes) in &self.data {
-            let name = escaped(name);
-            let _ = writeln!(text, "<li><a href=\"{name}\">{name}</a>, {}</li>", size(*bytes));
+        if self.data.is_empty() {
+            return String::new();
         }
-        text.push_str("</ul>\n");
-        section(words.data, &text)
+        let link = |(name, bytes): &(String, u64)| {
+            let name = escaped(name);
+            format!("<a href=\"{name}\">{name}</a>, {}", size(*bytes))
+        };
+        let links: Vec<String> = self.data.iter().map(link).collect();
+        format!("<p>{}{}</p>\n", escaped(words.data), links.join("; "))
     }
 }
 
 fn section(heading: &str, text: &str) -> String {
-    format!("<h2>{}</h2>\n{text}", escaped(heading))
+    format!("<section>\n<h2>{}</h2>\n{text}</section>\n", escaped(heading))
+}
+
+/// Parts side by side where there is room for them.
+fn pair(parts: impl Iterator<Item = String>) -> String {
+    format!("<div class=\"pair\">\n{}</div>\n", parts.collect::<String>())
+}
+
+/// A place to write into, of a `class`; what it is for is told to those who do not see it.
+fn editable(tag: &str, class: &str, purpose: &str, text: &str) -> String {
+    let (purpose, text) = (escaped(purpose), escaped(text));
+    format!(
+        "<{tag} class=\"{class}\" contenteditable=\"true\" role=\"textbox\" aria-label=\"{purpose}\">{text}</{tag}>\n"
+    )
+}
+
+/// The panels of a figure, each as number `k` of the page.
+fn small_all(k: usize, figure: &Figure, caption: &str, words: &Words) -> Vec<String> {
+    figure.panels.iter().map(|panel| small(k, panel, caption, words)).collect()
+}
+
+/// A panel of half the width of a sheet. Its title goes into the caption, which wraps.
+fn small(k: usize, panel: &Panel, caption: &str, words: &Words) -> String {
+    let mut panel = panel.clone();
+    let mut caption = caption.to_owned();
+    let (size, title) = match &mut panel {
+        Panel::Chart(chart) => (CHART, &mut chart.title),
+        Panel::Scene(scene) => {
+            if enlarged(scene) {
+                caption = format!("{caption} {}", words.enlarged);
+            }
+            (SCENE, &mut scene.title)
+        }
+    };
+    if !title.is_empty() {
+        caption = format!("{}. {caption}", std::mem::take(title));
+    }
+    let small = Figure { panels: vec![panel], columns: 1, panel: size, strip: None };
+    figure(k, &small, &caption)
+}
+
+/// Makes discs larger that would be lost on paper; says whether there are such.
+fn enlarged(scene: &mut Scene) -> bool {
+    let least = LEAST_RADIUS * scene.view.width;
+    let are_few = scene.discs.len() <= FEW;
+    let small = scene.discs.iter_mut().filter(|disc| are_few && disc.radius < least);
+    small.map(|disc| disc.radius = least).count() > 0
+}
+
+/// Makes the arrows of few discs longer, and says how many times.
+fn stretched(figure: &mut Figure) -> f64 {
+    const STRETCH: f64 = 2.0;
+    for panel in &mut figure.panels {
+        if let Panel::Scene(scene) = panel {
+            if scene.discs.len() > FEW {
+                return 1.0;
+            }
+            for arrow in &mut scene.arrows {
+                arrow.to = arrow.from + STRETCH * (arrow.to - arrow.from);
+            }
+        }
+    }
+    STRETCH
 }
 
 fn sentence(verdict: Verdict, text: &str) -> String {
     format!("<p><span class=\"verdict {verdict}\">{verdict}</span>: {}</p>\n", escaped(text))
+}
+
+/// A value with six digits, if it is a number that has more; else as it is.
+fn rounded(value: &str) -> String {
+    let number = value.parse().ok().filter(|_| value.contains(['.', 'e']));
+    number.map_or(value.to_owned(), short)
 }
 
 /// Six digits.

@@ -17,6 +17,7 @@ Examples:
   parsim2d plot frame trajectory.txt --frame 0       how it began, coloured by speed
   parsim2d plot trajectory trajectory.txt            paths, or moments of many discs
   parsim2d plot trajectory trajectory.txt --gif      an animated GIF
+  parsim2d plot trajectory trajectory.txt --html     a player: one page for any browser
   parsim2d plot energy energy.csv                    where the energy is, and two errors
   parsim2d plot velocity trajectory.txt              the velocity field
   parsim2d plot forces trajectory.txt --kn 5e4       who presses on whom
@@ -38,7 +39,7 @@ pub struct PlotArguments {
 pub enum Kind {
     /// One frame: discs to scale in their box
     Frame(FrameArguments),
-    /// All frames: paths of up to 50 discs, moments of more; or an animated GIF
+    /// All frames: paths of up to 50 discs, moments of more; or an animated GIF, or a player
     Trajectory(TrajectoryArguments),
     /// The energy ledger and its errors; several ledgers are compared
     Energy(EnergyArguments),
@@ -89,6 +90,9 @@ pub struct TrajectoryArguments {
     /// Write an animated GIF
     #[arg(long)]
     pub gif: bool,
+    /// Write a player: one page for any browser, with the energies of energy.csv beside the file
+    #[arg(long, conflicts_with = "gif")]
+    pub html: bool,
     /// Take every K-th frame
     #[arg(long, value_name = "K", default_value = "1")]
     pub every: NonZeroUsize,
@@ -103,8 +107,8 @@ pub struct TrajectoryArguments {
     #[arg(long, value_name = "FPS", default_value = "20", requires = "gif")]
     #[arg(value_parser = frames_per_second)]
     pub fps: f64,
-    /// The picture [default: trajectory.svg, trajectory.gif]
-    #[arg(short, long, value_name = "FILE.svg|FILE.gif")]
+    /// The picture [default: trajectory.svg, trajectory.gif, trajectory.html]
+    #[arg(short, long, value_name = "FILE.svg|FILE.gif|FILE.html")]
     pub out: Option<PathBuf>,
 }
 

@@ -96,6 +96,12 @@ impl Target {
         replace(&self.picture, draw)
     }
 
+    /// Writes a page, which has no script of gnuplot's beside it, and says so.
+    pub fn write_page(&self, html: &str) -> Result<(), Failure> {
+        self.replace_picture(|out| out.write_all(html.as_bytes()))?;
+        Ok(writeln!(io::stdout(), "wrote {}", self.picture.display())?)
+    }
+
     /// The picture could not be written.
     pub fn failed(&self, source: io::Error) -> OutputError {
         OutputError::Write { path: self.picture.clone(), source }

@@ -1,0 +1,92 @@
+//! The parameters of a run, from the text of its record: what a student looks up first.
+
+use super::html::{self, escaped};
+use super::words::Words;
+
+/// Listed discs and groups that a page has room for.
+const MOST_LISTED: usize = 8;
+
+/// Keys that tell nothing while they are off.
+const OFF: [&str; 2] = ["allow_unstable", "border"];
+
+/// The keys of the record `text` with their values and units, and the time step `dt` (s).
+pub fn list(text: &str, dt: Option<f64>, words: &Words) -> String {
+    let keys = text.lines().take_while(|line| !line.starts_with("[["));
+    let named = |line| {
+        let (key, value) = parsed(line)?;
+        if value == "false" && OFF.contains(&key) {
+            return None;
+        }
+        let name = words.parameter_names.iter().find(|(known, _)| *known == key);
+        Some((name.map_or(key, |(_, name)| name).to_owned(), value))
+    };
+    let mut rows: Vec<_> = keys.filter_map(named).collect();
+    rows.extend(dt.map(|dt| (words.time_step.to_owned(), format!("{} s", number(dt, Some(6))))));
+    html::list(&rows)
+}
+
+/// The discs and groups that the record lists, a line each, as far as there is room; nothing if there are
+/// none.
+pub fn listed(text: &str, words: &Words) -> String {
+    let blocks: Vec<&str> = text.split("\n[[").skip(1).collect();
+    let shown = &blocks[..blocks.len().min(MOST_LISTED)];
+    let mut page = String::new();
+    for same in shown.chunk_by(|a, b| kind(a) == kind(b)) {
+        let cells = |block: &&str| block.lines().filter_map(cell).collect::<Vec<_>>();
+        let head = cells(&same[0]).into_iter().map(|(key, _)| key);
+        let head = std::iter::once(kind(same[0]).to_owned()).chain(head).collect();
+        let row = |(k, block): (usize, &&str)| {
+            let values = cells(block).into_iter().map(|(_, value)| value);
+            std::iter::once(k.to_string()).chain(values).collect()
+        };
+        let rows = same.iter().enumerate().map(row);
+        page += &html::table(&std::iter::once(head).chain(rows).collect::<Vec<_>>());
+    }
+    match blocks.len() - shown.len() {
+        0 => page,
+        more => {
+            let more = words.more_listed.replace("{}", &more.to_string());
+            format!("{page}<p>{}</p>\n", escaped(&more))
+        }
+    }
+}
+
+/// `disc` or `population`.
+fn kind(block: &str) -> &str {
+    block.split("]]").next().unwrap_or_default()
+}
+
+/// Key with its unit, and value, of a line of a block.
+fn cell(line: &str) -> Option<(String, String)> {
+    let (key, rest) = line.split_once(" = ")?;
+    let (value, unit) = rest.split_once(" # ").unwrap_or((rest, ""));
+    let comma = if unit.is_empty() { "" } else { ", " };
+    Some((format!("{key}{comma}{unit}"), value.to_owned()))
+}
+
+/// Key and value of a line `key = value # unit`; nothing for a remark or an empty line.
+fn parsed(line: &str) -> Option<(&str, String)> {
+    let (key, rest) = line.split_once(" = ").filter(|_| !line.starts_with('#'))?;
+    if rest.starts_with(['"', '\'']) {
+        return Some((key, rest.trim_matches(['"', '\'']).to_owned()));
+    }
+    let (value, unit) = rest.split_once(" # ").unwrap_or((rest, ""));
+    // A remark on the direction follows some units.
+    let unit = unit.split(',').next().unwrap_or_default();
+    // A whole number, a seed of twenty digits say, stays as it is.
+    let rounded = value.parse().ok().filter(|_| value.contains(['.', 'e']));
+    let value = rounded.map_or(value.to_owned(), |value| number(value, None));
+    Some((key, format!("{value} {unit}").trim_end().to_owned()))
+}
+
+/// A number of so many digits, or of as many as it takes.
+fn number(value: f64, digits: Option<usize>) -> String {
+    let value = match digits {
+        Some(digits) => format!("{value:.*e}", digits - 1).parse().unwrap_or(value),
+        None => value,
+    };
+    match value.abs() {
+        size if size == 0.0 || (1e-3..1e16).contains(&size) => format!("{value}"),
+        _ => format!("{value:e}"),
+    }
+}
