@@ -14,10 +14,12 @@ pub mod live_writer;
 pub mod lock;
 pub mod marks;
 pub mod number;
+pub mod place;
 pub mod record;
 pub mod recorder;
 pub mod replace;
 pub mod summary;
+pub mod together;
 pub mod trajectory;
 
 use std::path::{Path, PathBuf};
@@ -33,6 +35,17 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
         /// The system's reason.
+        source: std::io::Error,
+    },
+    /// Before the first step: something that is no file has a name that will be one's.
+    #[error(
+        "{} is in the way: {source}\n  way out: give it another name, or use another --out-dir",
+        path.display()
+    )]
+    InTheWay {
+        /// What has the name.
+        path: PathBuf,
+        /// What it is.
         source: std::io::Error,
     },
     /// Before the first step: another process holds the lock of the folder.

@@ -27,6 +27,7 @@ mod grade_report;
 mod grade_submissions;
 mod guard;
 mod hash_matrix;
+mod in_the_way;
 mod live;
 mod long_runs;
 mod neighbours;

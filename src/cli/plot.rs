@@ -29,8 +29,9 @@ use crate::figure::speeds::{Histogram, Moments};
 use crate::figure::survey::Survey;
 use crate::figure::{drift, energy, forces, frame, paths, speeds, velocity};
 use crate::output::frames::Frame;
+use crate::output::place::plain_text;
 use crate::output::record;
-use crate::scenario::file::read as read_scenario;
+use crate::scenario::file;
 
 /// Draws what was asked for.
 pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
@@ -216,7 +217,8 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     let file = FrameFile::named(one_file("forces", &arguments.files)?);
     let target = Target::new(arguments.out.as_deref(), "forces", "svg")?;
     let record = file.path.with_file_name(record::FILE);
-    let scenario = arguments.scenario(read_scenario(&record).ok())?;
+    let recorded = plain_text(&record).ok().and_then(|text| file::parse(&text, &record).ok());
+    let scenario = arguments.scenario(recorded)?;
     let (_, one) = file.frame(arguments.frame)?;
     if !has_velocities(&one) {
         input::remark("the frame has no velocities; dashpots are taken to be at rest");

@@ -13,6 +13,7 @@ use crate::figure::Figure;
 use crate::figure::frame::{self, Choice, ColourBy, has_velocities};
 use crate::figure::{energy, speeds};
 use crate::output::failure;
+use crate::output::place::plain_text;
 use crate::output::record;
 use crate::output::replace::replace;
 use crate::page::report::Report;
@@ -65,15 +66,16 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
 /// Everything there is to show of the run in `folder`, linked to from `out`.
 fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let path = folder.join(record::FILE);
-    let text = fs::read_to_string(&path)
-        .map_err(|source| ReportError::NoRun { path: path.clone(), source })?;
+    let text =
+        plain_text(&path).map_err(|source| ReportError::NoRun { path: path.clone(), source })?;
     let mut results: Vec<(String, String)> =
         record::results(&text).map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let typed = results.iter().position(|(name, _)| name == record::COMMAND);
     let typed = typed.map(|k| results.remove(k).1);
     let frames = FrameFile::named(&folder.join("trajectory.txt"));
     let (whole, cut) = frames.whole()?;
-    let scenario = file::read(&path).and_then(|settings| Scenario::resolve(&settings, || 0));
+    let scenario =
+        file::parse(&text, &path).and_then(|settings| Scenario::resolve(&settings, || 0));
     let rows = ledger(&folder.join("energy.csv")).ok(); // none was kept, or it has one line only
     Ok(Report {
         typed,
@@ -100,7 +102,7 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
 
 /// What `failure.json` says, by its keys.
 fn failure(folder: &Path) -> Vec<(String, String)> {
-    let text = fs::read_to_string(folder.join(failure::FILE)).unwrap_or_default();
+    let text = plain_text(&folder.join(failure::FILE)).unwrap_or_default();
     let value: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let said = |value: &serde_json::Value| match value {
         serde_json::Value::String(text) => text.clone(),

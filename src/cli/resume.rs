@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use self::refused::{folder_of, is_done, not_continued, unfit, unreadable};
+use self::refused::{is_done, not_continued, unfit, unreadable};
 use super::Failure;
 use super::claim::Claim;
 use super::interrupt::Interrupt;
@@ -21,6 +21,7 @@ use super::typed::{quoted, with_new_end};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
+use crate::output::place::folder_of;
 use crate::output::record;
 use crate::output::recorder::Recorder;
 use crate::output::recorder::continued::is_same_folder;

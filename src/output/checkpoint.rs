@@ -11,7 +11,7 @@ pub mod container;
 mod read;
 mod write;
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -21,6 +21,7 @@ use thiserror::Error;
 use self::container::{FORMAT, Flaw};
 pub use self::write::{sections, write};
 use super::OutputError;
+use super::place::plain_file;
 use super::recorder::continued::Written;
 use crate::simulation::state::Array;
 
@@ -148,15 +149,4 @@ fn format(path: &Path) -> io::Result<Option<u32>> {
         return Err(io::Error::other("it is empty"));
     }
     Ok(container::format(&begin).ok())
-}
-
-/// The file at `path`, open to be read. A pipe, over which a reader waits, or a device, which never ends, is
-/// not opened.
-fn plain_file(path: &Path) -> io::Result<File> {
-    let kind = fs::metadata(path)?.file_type();
-    match (kind.is_file(), kind.is_dir()) {
-        (true, _) => File::open(path),
-        (_, true) => Err(io::Error::other("it is a folder")),
-        _ => Err(io::Error::other("it is a pipe or a device")),
-    }
 }

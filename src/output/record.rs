@@ -6,6 +6,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::OutputError;
+use super::place::plain_text;
 use super::replace::replace;
 
 /// Its name in the output folder.
@@ -18,7 +19,7 @@ const RESULT: &str = "# result: ";
 
 /// Whether `folder` holds a file of this name that no run has written: somebody's own.
 pub fn is_foreign(folder: &Path) -> bool {
-    let text = std::fs::read_to_string(folder.join(FILE));
+    let text = plain_text(&folder.join(FILE));
     text.is_ok_and(|text| !text.starts_with("# parsim2d "))
 }
 

@@ -9,6 +9,7 @@ use crate::cli::Failure;
 use crate::figure::Figure;
 use crate::figure::gnuplot::DataFile;
 use crate::output::OutputError;
+use crate::output::place::{folder_of, place};
 use crate::output::replace::replace;
 
 /// The two files that are written.
@@ -53,7 +54,12 @@ impl Target {
             ));
         }
         let stem = picture.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Self { script: picture.with_extension("gp"), picture, stem, is_silent: false })
+        let script = picture.with_extension("gp");
+        for file in [&picture, &script] {
+            let why = |why| bad(format!("{}: {why}", file.display()), "another --out".to_owned());
+            place(file).map_err(why)?;
+        }
+        Ok(Self { script, picture, stem, is_silent: false })
     }
 
     /// The same, saying nothing of what was written if `is_silent`.
@@ -109,13 +115,6 @@ impl Target {
         }
         let (picture, script) = (self.picture.display(), self.script.display());
         Ok(writeln!(io::stdout(), "wrote {picture} and {script}")?)
-    }
-}
-
-fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
     }
 }
 
