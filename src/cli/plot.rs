@@ -21,6 +21,7 @@ use self::progress::Progress;
 pub(super) use self::target::Target;
 use super::Failure;
 use crate::analysis::energy::LedgerRow;
+use crate::echo;
 use crate::figure::animation::{self, Animation};
 use crate::figure::forces::{discs, links};
 use crate::figure::frame::{Choice, ColourBy, has_velocities};
@@ -179,7 +180,7 @@ pub(super) fn ledger(path: &Path) -> Result<Vec<LedgerRow>, Failure> {
         let left_out = read - rows.len();
         input::remark(&format!(
             "{}: {left_out} rows that are not finite are left out",
-            path.display()
+            echo::path(path)
         ));
     }
     Ok(rows)

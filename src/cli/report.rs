@@ -9,6 +9,7 @@ use clap::Args;
 
 use super::plot::{FrameFile, ledger, pooled_speeds};
 use super::{Failure, answer};
+use crate::echo;
 use crate::figure::Figure;
 use crate::figure::frame::{self, Choice, ColourBy, has_velocities};
 use crate::figure::{energy, speeds};
@@ -44,10 +45,10 @@ pub(super) struct ReportArguments {
 pub(super) enum ReportError {
     #[error(
         "{} tells of no run: {source}\n  way out: run parsim2d in that folder first, or name another folder",
-        path.display()
+        echo::path(path)
     )]
     NoRun { path: PathBuf, source: io::Error },
-    #[error("--out {} is not possible: {why}\n  way out: --out report.html", path.display())]
+    #[error("--out {} is not possible: {why}\n  way out: --out report.html", echo::path(path))]
     BadOut { path: PathBuf, why: &'static str },
 }
 
@@ -59,7 +60,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     }
     let html = gathered(folder, &out)?.html(&ENGLISH);
     replace(&out, |file| file.write_all(html.as_bytes()))?;
-    writeln!(io::stdout(), "wrote {}", out.display())?;
+    writeln!(io::stdout(), "wrote {}", echo::path(&out))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -3,7 +3,6 @@
 pub(super) mod flags;
 mod refused;
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -16,6 +15,7 @@ use super::interrupt::Interrupt;
 use super::keeper::Origin;
 use super::refusal::Refusal;
 use super::run::{conclude, say_all};
+use super::say::say;
 use super::stepping::Stepping;
 use super::typed::{quoted, with_new_end};
 use crate::analysis::energy::MechanicalEnergy;
@@ -178,7 +178,7 @@ fn simulation(
 /// The run has reached its end and left no checkpoint.
 fn nothing_to_do(said: &Refusal, is_quiet: bool) -> ExitCode {
     if !is_quiet {
-        let _ = writeln!(io::stderr(), "note: nothing is left to do: {said}"); // a closed stderr is no failure
+        say("note", format!("nothing is left to do: {said}"));
     }
     ExitCode::SUCCESS
 }
@@ -219,5 +219,5 @@ fn say_where(scenario: &Scenario, progress: &Progress, file: &Path) {
             2.0 * scenario.time
         ),
     };
-    let _ = writeln!(io::stderr(), "note: {said}"); // a closed stderr is no failure
+    say("note", said);
 }

@@ -23,6 +23,7 @@ pub use self::write::{sections, write};
 use super::OutputError;
 use super::place::plain_file;
 use super::recorder::continued::Written;
+use crate::echo;
 use crate::simulation::state::Array;
 
 /// Name of the latest checkpoint.
@@ -77,7 +78,7 @@ pub struct Progress {
 #[derive(Debug, Error)]
 pub enum CheckpointError {
     /// The file cannot be read.
-    #[error("cannot read the checkpoint {}: {source}", path.display())]
+    #[error("cannot read the checkpoint {}: {source}", echo::path(path))]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -85,7 +86,7 @@ pub enum CheckpointError {
         source: io::Error,
     },
     /// The file is not a good checkpoint.
-    #[error("cannot resume from {}: {flaw}", path.display())]
+    #[error("cannot resume from {}: {flaw}", echo::path(path))]
     Flawed {
         /// The file.
         path: PathBuf,

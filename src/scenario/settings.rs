@@ -10,6 +10,7 @@ use super::quantity::{
     Acceleration, Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time,
     thread_count, whole_number,
 };
+use crate::echo;
 
 /// Declares the settings once; merges them field by field.
 macro_rules! settings {
@@ -254,7 +255,8 @@ impl<'de> Deserialize<'de> for DtSetting {
             Said::Whole(seconds) => Ok(Self::Seconds(seconds as f64)),
             Said::Number(seconds) => Ok(Self::Seconds(seconds)),
             Said::Text(text) => {
-                text.parse().map_err(|why| serde::de::Error::custom(format!("`{text}` is {why}")))
+                let refused = |why| format!("`{}` is {why}", echo::value(&text));
+                text.parse().map_err(|why: String| serde::de::Error::custom(refused(why)))
             }
         }
     }

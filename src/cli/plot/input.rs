@@ -1,12 +1,13 @@
 //! The files that pictures are drawn from.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use super::error::PlotError;
 use super::progress::Progress;
 use crate::cli::Failure;
+use crate::cli::say::say;
 use crate::output::frames::{Frame, Frames};
 use crate::output::place::plain_file;
 
@@ -23,7 +24,7 @@ pub(super) fn one_file<'a>(
 
 /// Says something that is no failure.
 pub(super) fn remark(text: &str) {
-    let _ = writeln!(io::stderr(), "note: {text}"); // a closed stderr is no failure
+    say("note", text);
 }
 
 fn open(path: &Path, command: &'static str) -> Result<File, PlotError> {

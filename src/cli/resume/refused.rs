@@ -6,6 +6,7 @@ use crate::cli::Failure;
 use crate::cli::claim::shown;
 use crate::cli::refusal::Refusal;
 use crate::cli::typed::quoted;
+use crate::echo;
 use crate::output::OutputError;
 use crate::output::checkpoint::container::Flaw;
 use crate::output::checkpoint::{self, Checkpoint, CheckpointError};
@@ -43,7 +44,7 @@ pub(super) fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
 
 /// What the checkpoint `file` holds does not fit together.
 pub(super) fn unfit(file: &Path, why: &str) -> Failure {
-    refusal(file, format!("cannot resume from {}: {why}", file.display()), other(file))
+    refusal(file, format!("cannot resume from {}: {why}", echo::path(file)), other(file))
 }
 
 /// The files of the run cannot be continued from the checkpoint `file`.
