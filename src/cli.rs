@@ -15,6 +15,7 @@ mod refusal;
 mod report;
 mod resume;
 mod run;
+mod say;
 mod signals;
 mod stepping;
 mod told;
@@ -29,7 +30,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 
 use self::refusal::Refusal;
-
+use crate::echo;
 use crate::output::OutputError;
 use crate::output::failure::FailureReport;
 use crate::scenario::error::ScenarioError;
@@ -42,11 +43,10 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => {
             if let Some(refusal) = resume::flags::refusal(&error).or_else(|| wished(&error)) {
-                let _ = writeln!(io::stderr(), "error: {refusal}");
+                say::say("error", refusal);
                 return ExitCode::from(2);
             }
-            let _ = error.print(); // nowhere left to say that this failed
-            return if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
+            return not_parsed(&error);
         }
     };
     let done = match cli.command {
@@ -61,6 +61,34 @@ pub fn run() -> ExitCode {
         Some(Command::Resume(arguments)) => resume::resume(&arguments),
         Some(Command::Presets) => presets::print(),
     };
+    // What is still to be written may find no room.
+    let done = done.and_then(|code| io::stdout().flush().map(|()| code).map_err(Failure::from));
+    ended(done)
+}
+
+/// Prints what clap has to say: help, or what is wrong with the command line.
+fn not_parsed(error: &clap::Error) -> ExitCode {
+    if error.use_stderr() {
+        let is_plain = |word: &std::ffi::OsString| {
+            let word = word.to_string_lossy();
+            echo::value(&word) == word
+        };
+        // Colours only where nothing else could turn into one.
+        match std::env::args_os().all(|word| is_plain(&word)) {
+            true => drop(error.print()), // nowhere left to say that this failed
+            false => {
+                let text = echo::message(error.render().to_string().trim_end());
+                let _ = writeln!(io::stderr(), "{text}");
+            }
+        }
+        return ExitCode::from(2);
+    }
+    let printed = error.print().and_then(|()| io::stdout().flush());
+    ended(printed.map(|()| ExitCode::SUCCESS).map_err(Failure::from))
+}
+
+/// The exit code of a command that is done, or why it is not.
+fn ended(done: Result<ExitCode, Failure>) -> ExitCode {
     match done {
         Ok(code) => code,
         Err(Failure::Output(OutputError::Write { source, .. }) | Failure::Stdout(source))
@@ -69,7 +97,7 @@ pub fn run() -> ExitCode {
             ExitCode::SUCCESS // whoever read us has seen enough
         }
         Err(failure) => {
-            let _ = writeln!(io::stderr(), "error: {failure}");
+            say::say("error", &failure);
             failure.exit_code()
         }
     }
@@ -164,7 +192,10 @@ enum Failure {
     Grade(#[from] grade::GradeError),
     #[error(transparent)]
     Refused(#[from] refusal::Refusal),
-    #[error("`{word}` is neither a subcommand ({known}) nor a scenario file{advice}")]
+    #[error(
+        "`{}` is neither a subcommand ({known}) nor a scenario file{advice}",
+        echo::value(word)
+    )]
     UnknownCommand { word: String, known: String, advice: String },
     #[error("{report}{}", again.as_deref().unwrap_or_default())]
     WentWrong { report: Box<FailureReport>, again: Option<String> },

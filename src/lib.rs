@@ -38,6 +38,7 @@ pub mod analysis;
 pub mod cli;
 pub mod crowd;
 pub mod discs;
+pub mod echo;
 pub mod figure;
 pub mod force;
 pub mod grade;

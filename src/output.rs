@@ -14,39 +14,57 @@ pub mod live_writer;
 pub mod lock;
 pub mod marks;
 pub mod number;
+pub mod place;
 pub mod record;
 pub mod recorder;
 pub mod replace;
 pub mod summary;
+pub mod together;
 pub mod trajectory;
 
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::echo;
+
 /// A file that could not be written.
 #[derive(Debug, Error)]
 pub enum OutputError {
     /// Before the first step: nothing has been overwritten.
-    #[error("cannot write to {}: {source}\n  way out: --out-dir with a folder that can be written", path.display())]
+    #[error(
+        "cannot write to {}: {source}\n  way out: --out-dir with a folder that can be written",
+        echo::path(path)
+    )]
     Create {
         /// The file.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
+    /// Before the first step: something that is no file has a name that will be one's.
+    #[error(
+        "{} is in the way: {source}\n  way out: give it another name, or use another --out-dir",
+        echo::path(path)
+    )]
+    InTheWay {
+        /// What has the name.
+        path: PathBuf,
+        /// What it is.
+        source: std::io::Error,
+    },
     /// Before the first step: another process holds the lock of the folder.
     #[error(
         "another parsim2d is writing to {}\n  way out: wait until it has ended, or --out-dir with another \
          folder",
-        folder.display()
+        echo::path(folder)
     )]
     Busy {
         /// The folder.
         folder: PathBuf,
     },
     /// Before the first step: something in the folder has the name of a checkpoint and is none of this version.
-    #[error("{} {what}, and this run would replace it\n  way out: {way_out}", path.display())]
+    #[error("{} {what}, and this run would replace it\n  way out: {way_out}", echo::path(path))]
     ForeignCheckpoint {
         /// What has the name.
         path: PathBuf,
@@ -59,14 +77,14 @@ pub enum OutputError {
     #[error(
         "{} was not written by a run, and this run would replace it\n  \
          way out: give it another name, or use another --out-dir",
-        path.display()
+        echo::path(path)
     )]
     ForeignRecord {
         /// The file.
         path: PathBuf,
     },
     /// Before a run goes on: a file is not the one that the run of the checkpoint wrote.
-    #[error("cannot continue {}: {why}", path.display())]
+    #[error("cannot continue {}: {why}", echo::path(path))]
     NotOfThatRun {
         /// The file.
         path: PathBuf,
@@ -74,7 +92,7 @@ pub enum OutputError {
         why: String,
     },
     /// During the run.
-    #[error("writing {} failed: {source}\n  {}", path.display(), after_failure(path, source))]
+    #[error("writing {} failed: {source}\n  {}", echo::path(path), after_failure(path, source))]
     Write {
         /// The file.
         path: PathBuf,

@@ -28,6 +28,7 @@ mod grade_submissions;
 mod gravity;
 mod guard;
 mod hash_matrix;
+mod in_the_way;
 mod live;
 mod live_view;
 mod long_runs;

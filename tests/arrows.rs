@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 22] = [
+const ARROWS: [(&str, &[&str]); 23] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -16,10 +16,11 @@ const ARROWS: [(&str, &[&str]); 22] = [
     ("crowd", &["particle", "neighbours", "force", "integrator", "work", "discs"]),
     ("simulation", &["particle", "force", "integrator", "discs", "placement", "work"]),
     ("analysis", &["particle", "neighbours", "work", "simulation"]),
-    ("output", &["simulation", "analysis"]),
+    ("output", &["echo", "simulation", "analysis"]),
     (
         "scenario",
         &[
+            "echo",
             "particle",
             "neighbours",
             "integrator",
@@ -34,6 +35,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
     ),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
     ("page", &["analysis", "output", "figure", "scenario"]),
+    ("echo", &[]),
     ("workshop", &[]),
     ("grade", &["analysis", "figure"]),
     ("sheet", &["figure", "grade", "output", "page"]),
@@ -42,6 +44,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
     (
         "cli",
         &[
+            "echo",
             "scenario",
             "simulation",
             "analysis",

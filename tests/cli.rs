@@ -389,11 +389,12 @@ fn slowdown_takes_its_seconds_and_every_rules_out_txt() {
 #[cfg(unix)]
 mod signals {
     use super::*;
+    use crate::support::heeding;
 
     /// Starts a run that would last minutes, and sends it `signal` after `delay`.
     fn interrupted(signal: &str, delay: Duration) -> (Output, TempDir) {
         let folder = tempfile::tempdir().unwrap();
-        let child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+        let child = heeding(env!("CARGO_BIN_EXE_parsim2d"))
             .args(["-n", "20", "--time", "100", "--slowdown", "3", "--seed", "1", "--json"])
             .args(["--every", "100", "--energy-every", "100"])
             .current_dir(&folder)
@@ -442,7 +443,7 @@ mod signals {
     #[test]
     fn a_run_under_nohup_goes_on_when_the_terminal_closes() {
         let folder = tempfile::tempdir().unwrap();
-        let mut child = std::process::Command::new("nohup")
+        let mut child = heeding("nohup")
             .args([env!("CARGO_BIN_EXE_parsim2d"), "-n", "20", "--time", "100", "--slowdown", "3"])
             .current_dir(&folder)
             .stdout(Stdio::piped())
@@ -471,7 +472,7 @@ mod signals {
     fn a_signal_sent_twice_at_once_still_leaves_complete_files() {
         // timeout(1) sends its signal to the process and to its group.
         let folder = tempfile::tempdir().unwrap();
-        let output = std::process::Command::new("timeout")
+        let output = heeding("timeout")
             .args(["0.4", env!("CARGO_BIN_EXE_parsim2d"), "--slowdown", "50", "--json"])
             .args(["--every", "10"])
             .current_dir(&folder)
@@ -492,7 +493,7 @@ mod signals {
             for name in names {
                 fs::write(folder.path().join(name), "precious").unwrap();
             }
-            let child = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+            let child = heeding(env!("CARGO_BIN_EXE_parsim2d"))
                 .args(["-n", "200000", "--radius", "1e-5", "-q"])
                 .current_dir(&folder)
                 .spawn()

@@ -10,7 +10,7 @@ use crate::output::checkpoint::container::Flaw;
 use crate::output::checkpoint::{self, Checkpoint, CheckpointError, refuse_foreign};
 use crate::output::failure;
 use crate::output::lock::FolderLock;
-use crate::output::recorder::make_folder;
+use crate::output::recorder::{make_folder, refuse_in_the_way};
 use crate::scenario::settings::Settings;
 use crate::scenario::{DiscSource, Scenario};
 
@@ -60,6 +60,7 @@ impl Claim {
         self.lock = Some(FolderLock::take(&self.folder)?);
         if self.is_new {
             refuse_foreign(&self.folder)?;
+            refuse_in_the_way(&self.folder)?;
             self.note = replaced(&self.folder)?;
         }
         Ok(())

@@ -9,6 +9,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::Failure;
+use crate::echo;
 use crate::workshop::{Choice, Refused, Tier, Workshop};
 
 #[derive(Args)]
@@ -118,8 +119,8 @@ fn write_text(out: &mut impl Write, findings: &Findings) -> io::Result<()> {
     writeln!(out, "simulating needs no other program; these would help:\n")?;
     for (helper, found) in HELPERS.iter().zip(&findings.programs) {
         let state = match (&found.path, &found.version) {
-            (Some(path), Some(version)) => format!("{version}, {}", path.display()),
-            (Some(path), None) => format!("{} does not start", path.display()),
+            (Some(path), Some(version)) => format!("{version}, {}", echo::path(path)),
+            (Some(path), None) => format!("{} does not start", echo::path(path)),
             (None, _) => "not found".to_owned(),
         };
         writeln!(out, "{:<8} {state}", helper.name)?;

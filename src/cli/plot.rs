@@ -23,6 +23,7 @@ pub(super) use self::target::Target;
 use super::Failure;
 use super::told::Told;
 use crate::analysis::energy::LedgerRow;
+use crate::echo;
 use crate::figure::animation::{self, Animation};
 use crate::figure::forces::{discs, links};
 use crate::figure::frame::{Choice, ColourBy, has_velocities};
@@ -181,7 +182,7 @@ pub(super) fn ledger(path: &Path) -> Result<Vec<LedgerRow>, Failure> {
         let left_out = read - rows.len();
         input::remark(&format!(
             "{}: {left_out} rows that are not finite are left out",
-            path.display()
+            echo::path(path)
         ));
     }
     Ok(rows)

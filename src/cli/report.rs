@@ -10,6 +10,7 @@ use clap::Args;
 use super::plot::{FrameFile, ledger};
 use super::told::{Told, Untold};
 use super::{Failure, answer};
+use crate::echo;
 use crate::figure::Figure;
 use crate::figure::frame::{self, Choice, ColourBy, fastest, has_velocities};
 use crate::figure::speeds::{Histogram, Moments};
@@ -17,6 +18,7 @@ use crate::figure::survey::Survey;
 use crate::figure::{energy, speeds, velocity};
 use crate::output::failure;
 use crate::output::frames::Frame;
+use crate::output::place::plain_text;
 use crate::output::record;
 use crate::output::replace::replace;
 use crate::page::film::Film;
@@ -52,10 +54,10 @@ pub(super) struct ReportArguments {
 pub(super) enum ReportError {
     #[error(
         "{} tells of no run: {source}\n  way out: run parsim2d in that folder first, or name another folder",
-        path.display()
+        echo::path(path)
     )]
     NoRun { path: PathBuf, source: io::Error },
-    #[error("--out {} is not possible: {why}\n  way out: --out report.html", path.display())]
+    #[error("--out {} is not possible: {why}\n  way out: --out report.html", echo::path(path))]
     BadOut { path: PathBuf, why: &'static str },
     #[error(
         "{} does not tell of the run in that folder: {why}\n  \
@@ -75,7 +77,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     let report = Report { name: arguments.name.clone(), ..gathered(folder, &out)? };
     let html = report.html(&ENGLISH);
     replace(&out, |file| file.write_all(html.as_bytes()))?;
-    writeln!(io::stdout(), "wrote {}", out.display())?;
+    writeln!(io::stdout(), "wrote {}", echo::path(&out))?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -169,7 +171,7 @@ impl Seen {
 
 /// What `failure.json` says, by its keys.
 fn failure(folder: &Path) -> Vec<(String, String)> {
-    let text = fs::read_to_string(folder.join(failure::FILE)).unwrap_or_default();
+    let text = plain_text(&folder.join(failure::FILE)).unwrap_or_default();
     let value: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let said = |value: &serde_json::Value| match value {
         serde_json::Value::String(text) => text.clone(),

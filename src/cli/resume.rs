@@ -3,25 +3,26 @@
 pub(super) mod flags;
 mod refused;
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
 
-use self::refused::{folder_of, is_done, not_continued, unfit, unreadable};
+use self::refused::{is_done, not_continued, unfit, unreadable};
 use super::Failure;
 use super::claim::Claim;
 use super::interrupt::Interrupt;
 use super::keeper::Origin;
 use super::refusal::Refusal;
 use super::run::{conclude, say_all};
+use super::say::say;
 use super::stepping::Stepping;
 use super::typed::{quoted, with_new_end};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
 use crate::output::number::seconds;
+use crate::output::place::folder_of;
 use crate::output::record;
 use crate::output::recorder::Recorder;
 use crate::output::recorder::continued::is_same_folder;
@@ -178,7 +179,7 @@ fn simulation(
 /// The run has reached its end and left no checkpoint.
 fn nothing_to_do(said: &Refusal, is_quiet: bool) -> ExitCode {
     if !is_quiet {
-        let _ = writeln!(io::stderr(), "note: nothing is left to do: {said}"); // a closed stderr is no failure
+        say("note", format!("nothing is left to do: {said}"));
     }
     ExitCode::SUCCESS
 }
@@ -220,5 +221,5 @@ fn say_where(scenario: &Scenario, progress: &Progress, file: &Path) {
             2.0 * scenario.time
         ),
     };
-    let _ = writeln!(io::stderr(), "note: {said}"); // a closed stderr is no failure
+    say("note", said);
 }

@@ -14,7 +14,7 @@ use super::refusal::Refusal;
 use super::stepping::Stepping;
 use super::typed::{self, quoted};
 use super::watch::placing_spinner;
-use super::{Failure, answer, memory};
+use super::{Failure, answer, memory, say};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::OutputError;
 use crate::output::failure::FailureReport;
@@ -131,7 +131,7 @@ pub(super) fn say_all(scenario: &Scenario, notes: &[String]) {
 /// A remark on standard error.
 fn say(scenario: &Scenario, what: &str) {
     if !scenario.output.quiet {
-        let _ = writeln!(io::stderr(), "note: {what}"); // a closed stderr is no failure
+        say::say("note", what);
     }
 }
 

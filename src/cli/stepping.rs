@@ -1,10 +1,10 @@
 //! A run on its way: steps, files that are due, the guard, the wall clock.
 
-use std::io::{self, Write};
 use std::time::Instant;
 
 use super::Failure;
 use super::keeper::{Keeper, Origin};
+use super::say::say;
 use super::watch::Watch;
 use crate::analysis::guard::{EVERY, Guard, Memory};
 use crate::output::OutputError;
@@ -158,7 +158,7 @@ impl<'a> Stepping<'a> {
     /// A checkpoint that fails on the way is no reason to lose the run.
     fn complain(&mut self, kept: Result<(), OutputError>) {
         if let Some(said) = kept.err().and_then(|why| self.keeper.complaint(&why)) {
-            let _ = writeln!(io::stderr(), "warning: {said}"); // a closed stderr is no failure
+            say("warning", said);
         }
     }
 

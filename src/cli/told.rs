@@ -1,11 +1,11 @@
 //! What `last-run.toml` tells of the frames beside it: nothing, unless it is the record of their run.
 
 use std::fmt;
-use std::fs;
 use std::io;
 use std::path::Path;
 
 use crate::output::frames::Frame;
+use crate::output::place::plain_text;
 use crate::output::record;
 use crate::scenario::error::ScenarioError;
 use crate::scenario::settings::Settings;
@@ -43,7 +43,7 @@ impl fmt::Display for Untold {
 impl Told {
     /// The record at `path`, if it is one.
     pub fn read(path: &Path) -> Result<Self, Untold> {
-        let text = fs::read_to_string(path).map_err(Untold::Unreadable)?;
+        let text = plain_text(path).map_err(Untold::Unreadable)?;
         if text.trim().is_empty() {
             return Err(Untold::Unfit("it is empty".to_owned()));
         }

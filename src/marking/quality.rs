@@ -86,6 +86,7 @@ fn run_with_sanitizer(marker: &Marker, made: &Made) -> Result<Status, Closed> {
 /// Whether the program was really built with a sanitizer: a Makefile may know better.
 fn has_sanitizer(made: &Made, run: Option<&String>) -> bool {
     let file = run.and_then(|run| run.strip_prefix("./")).map(|file| made.folder().join(file));
+    let file = file.filter(|file| file.is_file()); // no pipe that was built to be waited for
     let bytes = file.and_then(|file| fs::read(file).ok()).unwrap_or_default();
     bytes.windows(6).any(|word| word == b"__asan")
 }

@@ -11,7 +11,7 @@ pub mod container;
 mod read;
 mod write;
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,9 @@ use thiserror::Error;
 use self::container::{FORMAT, Flaw};
 pub use self::write::{sections, write};
 use super::OutputError;
+use super::place::plain_file;
 use super::recorder::continued::Written;
+use crate::echo;
 use crate::simulation::state::Array;
 
 /// Name of the latest checkpoint.
@@ -76,7 +78,7 @@ pub struct Progress {
 #[derive(Debug, Error)]
 pub enum CheckpointError {
     /// The file cannot be read.
-    #[error("cannot read the checkpoint {}: {source}", path.display())]
+    #[error("cannot read the checkpoint {}: {source}", echo::path(path))]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -84,7 +86,7 @@ pub enum CheckpointError {
         source: io::Error,
     },
     /// The file is not a good checkpoint.
-    #[error("cannot resume from {}: {flaw}", path.display())]
+    #[error("cannot resume from {}: {flaw}", echo::path(path))]
     Flawed {
         /// The file.
         path: PathBuf,
@@ -148,15 +150,4 @@ fn format(path: &Path) -> io::Result<Option<u32>> {
         return Err(io::Error::other("it is empty"));
     }
     Ok(container::format(&begin).ok())
-}
-
-/// The file at `path`, open to be read. A pipe, over which a reader waits, or a device, which never ends, is
-/// not opened.
-fn plain_file(path: &Path) -> io::Result<File> {
-    let kind = fs::metadata(path)?.file_type();
-    match (kind.is_file(), kind.is_dir()) {
-        (true, _) => File::open(path),
-        (_, true) => Err(io::Error::other("it is a folder")),
-        _ => Err(io::Error::other("it is a pipe or a device")),
-    }
 }

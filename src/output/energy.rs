@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::OutputError;
 use super::growing::{Extent, GrowingFile};
+use super::place::plain_file;
 use crate::analysis::energy::LedgerRow;
 
 /// The columns, in order.
@@ -95,7 +96,7 @@ fn is_old(path: &Path) -> io::Result<bool> {
 /// Where the lines up to `step` end in the file at `path`, and the step of the last of them.
 fn end_of(path: &Path, step: u64) -> io::Result<(Extent, u64)> {
     let (mut bytes, mut sum, mut last) = (0, crc32fast::Hasher::new(), 0);
-    for line in BufReader::new(File::open(path)?).split(b'\n') {
+    for line in BufReader::new(plain_file(path)?).split(b'\n') {
         let line = line?;
         let first = line.split(|&byte| byte == b',').next().unwrap_or_default();
         if let Some(of) = std::str::from_utf8(first).ok().and_then(|step| step.parse().ok()) {

@@ -1,11 +1,12 @@
 //! `out.txt`: the present frame, `x y r`, replaced whole at every refresh.
 
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
 use super::OutputError;
 use super::frames::{Columns, Head, write_border, write_frame, write_rows};
-use super::replace::replace;
+use super::replace::replace_fleeting;
 use crate::simulation::Simulation;
 
 /// Where the discs are at one moment: all that a live frame shows, at 24 bytes a disc where all have one
@@ -78,16 +79,23 @@ pub struct LiveFrame {
 impl LiveFrame {
     /// Replaces the file by the present state, and the border after it.
     pub fn refresh(&self, simulation: &Simulation) -> Result<(), OutputError> {
-        replace(&self.path, |out| self.write(out, simulation))
+        replace_fleeting(&self.path, |out| self.write(out, simulation))
     }
 
     /// Replaces the file by the state at the moment of `still`, and the border after it.
     pub fn refresh_from(&self, still: &mut Still) -> Result<(), OutputError> {
-        replace(&self.path, |out| {
+        replace_fleeting(&self.path, |out| {
             let head = Head { side: self.side, ..still.head };
             write_rows(out, head, Columns::Positions, still.rows())?;
             self.write_border(out)
         })
+    }
+
+    /// Writes what the file holds to `file`, which will take its place.
+    pub fn write_all(&self, file: File, simulation: &Simulation) -> Result<(), OutputError> {
+        let mut out = BufWriter::new(file);
+        let failed = |source| OutputError::Write { path: self.path.clone(), source };
+        self.write(&mut out, simulation).and_then(|()| out.flush()).map_err(failed)
     }
 
     /// Writes what the file holds to `out`.

@@ -4,6 +4,7 @@
 //! reads does not ask for it.
 
 use std::fs::{self, File, OpenOptions};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use fs4::{FileExt, TryLockError};
@@ -26,9 +27,13 @@ impl FolderLock {
     ///
     /// # Errors
     ///
-    /// [`OutputError::Busy`] if another process holds it.
+    /// [`OutputError::Busy`] if another process holds it, [`OutputError::InTheWay`] if something else has its name.
     pub fn take(folder: &Path) -> Result<Self, OutputError> {
         let path = folder.join(FILE);
+        if fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file()) {
+            let source = io::Error::other("it is no file, and this name is that of a lock");
+            return Err(OutputError::InTheWay { path, source });
+        }
         loop {
             let Some(file) = open(&path) else { return Ok(Self { path, file: None }) };
             match FileExt::try_lock(&file) {

@@ -6,6 +6,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::OutputError;
+use super::place::plain_text;
 use super::replace::replace;
 
 /// Its name in the output folder.
@@ -24,7 +25,7 @@ pub fn is_one(text: &str) -> bool {
 /// Whether `folder` holds a file of this name that no run has written: somebody's own. An empty one is
 /// nobody's loss.
 pub fn is_foreign(folder: &Path) -> bool {
-    let text = std::fs::read_to_string(folder.join(FILE));
+    let text = plain_text(&folder.join(FILE));
     text.is_ok_and(|text| !text.trim().is_empty() && !is_one(&text))
 }
 

@@ -2,7 +2,7 @@
 
 pub mod continued;
 
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -13,8 +13,10 @@ use super::energy::EnergyFile;
 use super::failure;
 use super::live::LiveFrame;
 use super::live_writer::LiveWriter;
+use super::place::place;
 use super::record;
 use super::replace::{NewFile, remove_temporaries};
+use super::together::take_places;
 use super::trajectory::Trajectory;
 use crate::analysis::energy::EnergyLedger;
 use crate::simulation::Simulation;
@@ -83,19 +85,11 @@ impl Recorder {
             energy_at: simulation.steps(),
         };
         recorder.write_start(&live, simulation)?;
-        // All have their first frame; only now does anything old go.
-        live.take_place()?;
-        trajectory.take_place()?;
-        match record {
-            Some(record) => record.take_place()?,
-            None => remove_if_there(&path(record::FILE))?, // of a former run, which it alone tells of
-        }
-        remove_if_there(&path(failure::FILE))?; // of a former run
-        checkpoint::remove(folder)?; // of a former run, whose files are gone
-        match energy {
-            Some(energy) => energy.take_place()?,
-            None => remove_if_there(&path("energy.csv"))?, // of a former run
-        }
+        // All have their first frame; only now does anything old go: what a former run left that this one
+        // does not replace, too.
+        let stale: Vec<PathBuf> = stale(record.is_some(), energy.is_some()).map(path).collect();
+        let new = [live, trajectory].into_iter().chain(record).chain(energy).collect();
+        take_places(new, &stale)?;
         Ok(recorder)
     }
 
@@ -166,10 +160,7 @@ impl Recorder {
         self.append_frame(simulation)?;
         self.append_energy(simulation)?;
         self.flush_energy()?;
-        let mut out = BufWriter::new(live.writer()?);
-        let frame = self.live.frame();
-        let failed = |source| OutputError::Write { path: frame.path.clone(), source };
-        frame.write(&mut out, simulation).and_then(|()| out.flush()).map_err(failed)
+        self.live.frame().write_all(live.writer()?, simulation)
     }
 
     fn flush_energy(&mut self) -> Result<(), OutputError> {
@@ -190,13 +181,31 @@ impl Recorder {
     }
 }
 
-/// Makes `folder` if it is not there; refuses one with a file in it that is nobody's of ours.
+/// The files of a former run that a run in its folder does not replace: they go, for their run is gone. `energy.csv`
+/// and `last-run.toml` are among them if this run does not write them.
+fn stale(writes_record: bool, writes_energy: bool) -> impl Iterator<Item = &'static str> {
+    let always = [failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
+    let record = (!writes_record).then_some(record::FILE);
+    always.into_iter().chain(record).chain((!writes_energy).then_some("energy.csv"))
+}
+
+/// Makes `folder` if it is not there; refuses one in which something is nobody's of ours, or in the way.
 fn make_ready(folder: &Path) -> Result<(), OutputError> {
     refuse_foreign(folder)?;
-    if record::is_foreign(folder) {
-        return Err(OutputError::ForeignRecord { path: folder.join(record::FILE) });
-    }
+    refuse_in_the_way(folder)?;
     make_folder(folder)
+}
+
+/// Refuses a `folder` where something that is no file, or somebody's own, has a name that a run gives to a file: now or
+/// later, for a run must not find out at its end.
+pub fn refuse_in_the_way(folder: &Path) -> Result<(), OutputError> {
+    for path in FILES.map(|name| folder.join(name)) {
+        place(&path).map_err(|source| OutputError::InTheWay { path, source })?;
+    }
+    match record::is_foreign(folder) {
+        true => Err(OutputError::ForeignRecord { path: folder.join(record::FILE) }),
+        false => Ok(()),
+    }
 }
 
 /// Makes the folder if it is not there.
@@ -206,13 +215,4 @@ pub fn make_folder(folder: &Path) -> Result<(), OutputError> {
         return Err(refuse(io::Error::new(io::ErrorKind::NotADirectory, "it is a file")));
     }
     std::fs::create_dir_all(folder).map_err(refuse)
-}
-
-fn remove_if_there(path: &Path) -> Result<(), OutputError> {
-    match std::fs::remove_file(path) {
-        Err(source) if source.kind() != io::ErrorKind::NotFound => {
-            Err(OutputError::Create { path: path.to_owned(), source })
-        }
-        _ => Ok(()),
-    }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::finding::Finding;
+use crate::echo;
 use crate::placement::PlacementError;
 
 /// Why a scenario cannot be run. Nothing has been written when this is returned.
@@ -33,15 +34,27 @@ pub enum ScenarioError {
         why: String,
     },
     /// A scenario file that cannot be read.
-    #[error("cannot read the scenario {}: {source}", path.display())]
+    #[error("cannot read the scenario {}: {source}", echo::path(path))]
     Unreadable {
         /// The file.
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
     },
+    /// A scenario file that is too long to be one.
+    #[error(
+        "the scenario {} has more than {most} bytes\n  \
+         way out: so many discs come from a file of frames: --start FILE",
+        echo::path(path)
+    )]
+    TooLong {
+        /// The file.
+        path: PathBuf,
+        /// The most bytes it may have.
+        most: u64,
+    },
     /// A scenario file with a mistake in it.
-    #[error("{}, line {line}, column {column}: {message}", path.display())]
+    #[error("{}, line {line}, column {column}: {message}", echo::path(path))]
     Malformed {
         /// The file.
         path: PathBuf,
@@ -53,7 +66,7 @@ pub enum ScenarioError {
         message: String,
     },
     /// A frame file that cannot serve as a start.
-    #[error("cannot start from {}: {why}", path.display())]
+    #[error("cannot start from {}: {why}", echo::path(path))]
     BadStart {
         /// The file.
         path: PathBuf,
@@ -93,8 +106,8 @@ impl ScenarioError {
             }
             Self::OutOfRange { field, .. } => field.clone(),
             Self::Conflict { other, .. } => other.clone(),
-            Self::Unreadable { path, .. } => path.display().to_string(),
-            Self::Malformed { path, line, .. } => format!("{}, line {line}", path.display()),
+            Self::Unreadable { path, .. } | Self::TooLong { path, .. } => echo::path(path),
+            Self::Malformed { path, line, .. } => format!("{}, line {line}", echo::path(path)),
             Self::BadStart { .. } => "--start".to_owned(),
             Self::BoxTooFull { .. } => "-n".to_owned(),
             Self::BadOverlap { who, .. } => who.clone(),

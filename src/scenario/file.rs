@@ -1,19 +1,30 @@
 //! Scenario files: TOML whose keys are the long flag names with `_` for `-`.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use super::error::ScenarioError;
 use super::settings::Settings;
 use super::wished::{Wish, wish};
+use crate::echo;
 
 /// Reads the scenario file `path`.
 ///
 /// Unknown keys are errors that name the nearest known one, or say what is not there; mistakes are told with line and column.
 pub fn read(path: &Path) -> Result<Settings, ScenarioError> {
-    let text = std::fs::read_to_string(path)
+    let mut text = String::new();
+    File::open(path)
+        .and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text))
         .map_err(|source| ScenarioError::Unreadable { path: path.to_owned(), source })?;
+    if text.len() as u64 > MOST_BYTES {
+        return Err(ScenarioError::TooLong { path: path.to_owned(), most: MOST_BYTES });
+    }
     parse(&text, path)
 }
+
+/// The longest scenario file, bytes: some 500,000 listed discs, which take a second and 2 GB to be understood.
+const MOST_BYTES: u64 = 64_000_000;
 
 /// Reads a scenario from `text`; `path` is for messages only.
 pub fn parse(text: &str, path: &Path) -> Result<Settings, ScenarioError> {
@@ -47,9 +58,10 @@ fn message(original: &str, line: &str) -> String {
             Some(near) => format!("did you mean `{near}`?"),
             None => format!("known are {}", known.join(", ")),
         };
-        return format!("unknown {kind} `{unknown}`; {advice}");
+        return format!("unknown {kind} `{}`; {advice}", echo::value(unknown));
     }
     let plain = original.trim_end().replace('\n', " ").replace("i64", "a whole number");
+    let plain = echo::value(&plain);
     if plain.contains("invalid type: map, expected a sequence") {
         return "a list of tables is wanted: write [[disc]] or [[population]], in two brackets"
             .into();
@@ -82,6 +94,10 @@ const SYMBOLS: [(&str, &str); 11] = [
 
 /// The known word nearest to `word`, if one is near enough to be meant.
 pub fn did_you_mean<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    const LONGEST: usize = 60; // bytes; no known word is half as long
+    if word.len() > LONGEST {
+        return None;
+    }
     if let Some((_, key)) = SYMBOLS.iter().find(|(symbol, _)| *symbol == word) {
         return known.iter().copied().find(|near| near == key);
     }

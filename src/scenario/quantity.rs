@@ -7,6 +7,8 @@ use std::str::FromStr;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, Visitor};
 
+use crate::echo;
+
 /// A kind of quantity: its SI unit and the suffixes it understands, each with its size in SI.
 pub trait Dimension {
     /// Suffixes, SI unit first.
@@ -167,7 +169,7 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
                 Ok((si as f64).into())
             }
             fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
-                text.parse().map_err(|why| E::custom(format!("`{text}` is {why}")))
+                text.parse().map_err(|why| E::custom(format!("`{}` is {why}", echo::value(text))))
             }
         }
         deserializer.deserialize_any(Reader(PhantomData))

@@ -28,6 +28,20 @@ pub(super) fn positive(field: &str, value: f64, way_out: &str) -> Result<f64, Sc
     Err(ScenarioError::out_of_range(field, Num(value), "must be a finite number above 0", way_out))
 }
 
+/// `value` if it is in `range`.
+pub(super) fn within(
+    field: &str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+    way_out: &str,
+) -> Result<f64, ScenarioError> {
+    if range.contains(&value) {
+        return Ok(value);
+    }
+    let allowed = format!("must be from {} to {}", Num(*range.start()), Num(*range.end()));
+    Err(ScenarioError::out_of_range(field, Num(value), allowed, way_out))
+}
+
 pub(super) fn not_negative(field: &str, value: f64, way_out: &str) -> Result<f64, ScenarioError> {
     if value >= 0.0 && value.is_finite() {
         return Ok(value);

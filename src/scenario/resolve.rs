@@ -1,12 +1,14 @@
 //! From what was said to a checked scenario.
 
+use std::ops::RangeInclusive;
+
 use super::error::ScenarioError;
 use super::exclusive;
 use super::framed::FramedDiscs;
 use super::gravity::Gravity;
 use super::number::Num;
 use super::quantity::{MOST_THREADS, Quantity};
-use super::range::{finite, not_negative, positive, whole};
+use super::range::{finite, not_negative, positive, whole, within};
 use super::settings::{DtSetting, Settings};
 use super::{DampingChoice, DiscSource, DtSetBy, OutputChoices, Scenario, StepChoice};
 
@@ -154,16 +156,23 @@ fn step_choice(
     }
 }
 
+/// Wall seconds for a simulated second: up to thirty years.
+const SLOWDOWNS: RangeInclusive<f64> = 1e-9..=1e9;
+
+/// Wall seconds between checkpoints. More often than that a run does little else; more than thirty years are more
+/// than some clocks can tell.
+const INTERVALS: RangeInclusive<f64> = 1e-3..=1e9;
+
 fn output_choices(settings: &Settings) -> Result<OutputChoices, ScenarioError> {
     let steps = |field, said: Option<i64>, least| {
         said.map(|k| whole(field, k, least..=i64::MAX, "leave it out for the default")).transpose()
     };
     let cores = "--threads 1, or as many as there are cores";
     let threads = settings.threads.map(|k| whole("threads", k, 1..=MOST_THREADS, cores));
-    let slowdown = settings.slowdown.map(|x| positive("slowdown", x.si, "--slowdown 10"));
+    let slowdown = settings.slowdown.map(|x| within("slowdown", x.si, SLOWDOWNS, "--slowdown 10"));
     let checkpoint_every = settings
         .checkpoint_every
-        .map(|x| positive("checkpoint_every", x.si, "--checkpoint-every 10min"));
+        .map(|x| within("checkpoint_every", x.si, INTERVALS, "--checkpoint-every 10min"));
     Ok(OutputChoices {
         folder: settings.out_dir.clone().unwrap_or_else(|| ".".into()),
         every: steps("every", settings.every, 1)?,

@@ -11,6 +11,7 @@ use super::quantity::{
     Coefficient, Length, Mass, Number, Pair, Quantity, Rate, Speed, Stiffness, Time, thread_count,
     whole_number,
 };
+use crate::echo;
 
 /// Declares the settings once; merges them field by field.
 macro_rules! settings {
@@ -255,7 +256,8 @@ impl<'de> Deserialize<'de> for DtSetting {
             Said::Whole(seconds) => Ok(Self::Seconds(seconds as f64)),
             Said::Number(seconds) => Ok(Self::Seconds(seconds)),
             Said::Text(text) => {
-                text.parse().map_err(|why| serde::de::Error::custom(format!("`{text}` is {why}")))
+                let refused = |why| format!("`{}` is {why}", echo::value(&text));
+                text.parse().map_err(|why: String| serde::de::Error::custom(refused(why)))
             }
         }
     }

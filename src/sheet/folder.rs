@@ -1,7 +1,7 @@
 //! Sheets in a folder: each appears whole, as soon as its submission has been graded.
 
 use std::fs;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::class::html_of_class;
@@ -14,6 +14,7 @@ use super::text::{text_of_class, text_of_student};
 use super::words::Words;
 use super::{Entry, Graded, check50, codegrade, gradescope, junit, vpl};
 use crate::output::OutputError;
+use crate::output::place::plain_text;
 use crate::output::replace::replace;
 
 /// A format of sheets.
@@ -142,8 +143,8 @@ impl Folder {
     /// Names of the submissions in the tables of the class that are there already and that are none of these.
     pub fn others(&self) -> Vec<String> {
         let read = || {
-            let text = fs::read(self.folder.join("class.json")).ok()?;
-            let class: serde_json::Value = serde_json::from_slice(&text).ok()?;
+            let text = plain_text(&self.folder.join("class.json")).ok()?;
+            let class: serde_json::Value = serde_json::from_str(&text).ok()?;
             let names = |list: &str, key: &str| -> Vec<String> {
                 let list = class[list].as_array().into_iter().flatten();
                 list.filter_map(|one| one[key].as_str().map(str::to_owned)).collect()
@@ -192,7 +193,12 @@ impl Folder {
     }
 }
 
-/// Writes a file that appears whole: a reader never sees half of it.
+/// Writes a file that appears whole: a reader never sees half of it. A link is refused: what is handed in may
+/// have laid it.
 pub fn write_whole(path: &Path, text: &str) -> Result<(), OutputError> {
+    if path.is_symlink() {
+        let source = io::Error::other("it is a link, and no sheet is written over a link");
+        return Err(OutputError::InTheWay { path: path.to_owned(), source });
+    }
     replace(path, |out| out.write_all(text.as_bytes()))
 }

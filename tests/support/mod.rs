@@ -131,6 +131,29 @@ impl Meeting {
     }
 }
 
+/// A command that a signal ends, also where whoever started the tests has had signals ignored, as `nohup` and a
+/// shell in the background do: what is ignored stays so for everything that is started from there.
+pub fn heeding(program: impl AsRef<std::ffi::OsStr>) -> std::process::Command {
+    #[allow(unused_mut)] // elsewhere than on Linux tests have nothing to set signals with
+    let mut command = std::process::Command::new(program);
+    #[cfg(target_os = "linux")]
+    {
+        use nix::sys::signal::{SigHandler, Signal, signal};
+        use std::os::unix::process::CommandExt;
+
+        let heed = || {
+            for one in [Signal::SIGHUP, Signal::SIGINT, Signal::SIGQUIT, Signal::SIGTERM] {
+                // SAFETY: no handler of ours is there or set, only the usual action.
+                unsafe { signal(one, SigHandler::SigDfl) }?;
+            }
+            Ok(())
+        };
+        // SAFETY: between fork and exec it makes system calls that are safe there (signal-safety(7)), no more.
+        unsafe { command.pre_exec(heed) };
+    }
+    command
+}
+
 /// True, and says so, if there is no gnuplot to test `what` with.
 pub fn gnuplot_is_missing(what: &str) -> bool {
     let there = std::process::Command::new("gnuplot").arg("--version").output().is_ok();

@@ -10,7 +10,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub fn parsim2d(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_parsim2d"));
+    let mut command = super::heeding(env!("CARGO_BIN_EXE_parsim2d"));
     command.current_dir(folder).args(arguments.split_whitespace());
     command
 }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::echo;
 use crate::grade::check::Check;
 use crate::grade::mistake::Mistake;
 use crate::proof::DESCRIPTION;
@@ -10,7 +11,10 @@ use crate::sheet::plain::one_line;
 /// Why nothing was graded: bad usage, every time.
 #[derive(Debug, thiserror::Error)]
 pub(in crate::cli) enum GradeError {
-    #[error("the rubric {} cannot be used: {why}\n  way out: parsim2d grade --init-rubric prints one to begin with", path.display())]
+    #[error(
+        "the rubric {} cannot be used: {why}\n  way out: parsim2d grade --init-rubric prints one to begin with",
+        echo::path(path)
+    )]
     Rubric { path: PathBuf, why: String },
     #[error("there is no check and no cause `{id}`{}\n  checks: {}\n  causes: {}", like(id), checks().join(", "), causes().join(", "))]
     Unexplained { id: String },
@@ -20,12 +24,15 @@ pub(in crate::cli) enum GradeError {
     OneOnly { format: String, count: usize },
     #[error("the rubric cannot be used: {0}")]
     Command(String),
-    #[error("{} is no folder of a submission\n  way out: parsim2d grade --frames FILE grades a file of frames", path.display())]
+    #[error(
+        "{} is no folder of a submission\n  way out: parsim2d grade --frames FILE grades a file of frames",
+        echo::path(path)
+    )]
     NoFolder { path: PathBuf },
     #[error(
         "{} is no folder of described submissions: neither it nor a folder in it has a {DESCRIPTION}\n  \
          way out: leave out --proof to grade it; the format of {DESCRIPTION} is in tests/submissions/README.md of the sources",
-        path.display()
+        echo::path(path)
     )]
     Undescribed { path: PathBuf },
     #[error(transparent)]
@@ -36,12 +43,15 @@ pub(in crate::cli) enum GradeError {
         "{count} formats do not fit in one stream\n  way out: --out-dir FOLDER, or one --format"
     )]
     ManyFormats { count: usize },
-    #[error("--out {}: there is no such folder, or it is one itself; nothing was graded\n  way out: make the folder, or name a file in one that is there", path.display())]
+    #[error(
+        "--out {}: there is no such folder, or it is one itself; nothing was graded\n  way out: make the folder, or name a file in one that is there",
+        echo::path(path)
+    )]
     NoPlace { path: PathBuf },
     #[error(
         "{} has a class of which not all are graded now ({} {others}); its tables would lose them, and nothing was graded\n  \
          way out: grade the whole class, or name another --out-dir; --replace-class gives them up",
-        path.display(), "not now:", others = listed(others)
+        echo::path(path), "not now:", others = listed(others)
     )]
     OtherClass { path: PathBuf, others: Vec<String> },
     #[error(

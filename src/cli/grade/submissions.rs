@@ -10,6 +10,7 @@ use super::exit_code;
 use super::sheets::Sheets;
 use crate::cli::Failure;
 use crate::cli::signals::heed;
+use crate::echo;
 use crate::grade::rubric::Rubric;
 use crate::marking::Marker;
 use crate::marking::program::Course;
@@ -27,7 +28,7 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
     if let Some(path) = of_a_mac.first() {
         eprintln!(
             "note: {} is left out: a Mac puts it into zips, nobody handed it in",
-            path.display()
+            echo::path(path)
         );
     }
     if let Some(path) = arguments.submissions.iter().find(|path| !path.exists()) {
@@ -40,7 +41,7 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
     if let Some(class) = folders.iter().find(|folder| is_class(folder)) {
         eprintln!(
             "note: {} has folders and no files: are these the submissions? then {0}/*",
-            class.display()
+            echo::path(class)
         );
     }
     let workshop = open(arguments)?;

@@ -4,11 +4,16 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::echo;
+
 /// Nothing has been written when this is returned.
 #[derive(Debug, Error)]
 pub enum PlotError {
     /// A file that cannot be opened.
-    #[error("cannot read {}: {source}\n  way out: `{command}` writes it; or name another file", path.display())]
+    #[error(
+        "cannot read {}: {source}\n  way out: `{command}` writes it; or name another file",
+        echo::path(path)
+    )]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -18,7 +23,7 @@ pub enum PlotError {
         command: &'static str,
     },
     /// A file that cannot be drawn.
-    #[error("cannot draw {}: {why}\n  way out: {way_out}", path.display())]
+    #[error("cannot draw {}: {why}\n  way out: {way_out}", echo::path(path))]
     BadFile {
         /// The file.
         path: PathBuf,
@@ -38,7 +43,7 @@ pub enum PlotError {
         n: usize,
     },
     /// A name that the picture cannot have.
-    #[error("--out {} is not possible: {why}\n  way out: {way_out}", path.display())]
+    #[error("--out {} is not possible: {why}\n  way out: {way_out}", echo::path(path))]
     BadOut {
         /// The name said.
         path: PathBuf,

@@ -1,13 +1,15 @@
 //! The files that pictures are drawn from.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use super::error::PlotError;
 use super::progress::Progress;
 use crate::cli::Failure;
+use crate::cli::say::say;
 use crate::output::frames::{Frame, Frames};
+use crate::output::place::plain_file;
 
 /// The one file of a picture that shows one.
 pub(super) fn one_file<'a>(
@@ -22,21 +24,22 @@ pub(super) fn one_file<'a>(
 
 /// Says something that is no failure.
 pub(super) fn remark(text: &str) {
-    let _ = writeln!(io::stderr(), "note: {text}"); // a closed stderr is no failure
+    say("note", text);
 }
 
 fn open(path: &Path, command: &'static str) -> Result<File, PlotError> {
-    let unreadable = |source| PlotError::Unreadable { path: path.to_owned(), source, command };
-    if path.is_dir() {
-        return Err(unreadable(io::ErrorKind::IsADirectory.into()));
-    }
-    File::open(path).map_err(unreadable)
+    // A picture goes through its file more than once, and its script once more.
+    plain_file(path).map_err(|source| PlotError::Unreadable {
+        path: path.to_owned(),
+        source,
+        command,
+    })
 }
 
 /// What to do with a file that is not what was wanted, by how it begins.
 fn advice(path: &Path) -> Option<&'static str> {
     let mut start = Vec::new();
-    let mut file = BufReader::new(File::open(path).ok()?).take(200);
+    let mut file = BufReader::new(plain_file(path).ok()?).take(200);
     file.read_until(b'\n', &mut start).ok()?;
     let start = String::from_utf8_lossy(&start).into_owned();
     let is_row = |line: &str| line.split_whitespace().all(|word| word.parse::<f64>().is_ok());

@@ -6,9 +6,11 @@ use std::path::{Component, Path, PathBuf};
 
 use super::error::PlotError;
 use crate::cli::Failure;
+use crate::echo;
 use crate::figure::Figure;
 use crate::figure::gnuplot::DataFile;
 use crate::output::OutputError;
+use crate::output::place::{folder_of, place};
 use crate::output::replace::replace;
 
 /// The two files that are written.
@@ -37,7 +39,7 @@ impl Target {
                 format!("this picture is a .{ending} file"),
                 format!(
                     "--out {}; for PNG and PDF run the script: gnuplot -e \"out='{kind}.pdf'\" {kind}.gp",
-                    picture.with_extension(ending).display()
+                    echo::path(&picture.with_extension(ending))
                 ),
             ));
         }
@@ -46,14 +48,19 @@ impl Target {
         }
         let folder = folder_of(&picture);
         if !folder.is_dir() {
-            let folder = folder.display();
+            let folder = echo::path(folder);
             return Err(bad(
                 format!("there is no folder {folder}"),
                 format!("make it: mkdir {folder}"),
             ));
         }
         let stem = picture.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Self { script: picture.with_extension("gp"), picture, stem, is_silent: false })
+        let script = picture.with_extension("gp");
+        for file in [&picture, &script] {
+            let why = |why| bad(format!("{}: {why}", echo::path(file)), "another --out".to_owned());
+            place(file).map_err(why)?;
+        }
+        Ok(Self { script, picture, stem, is_silent: false })
     }
 
     /// The same, saying nothing of what was written if `is_silent`.
@@ -70,7 +77,7 @@ impl Target {
             if fs::canonicalize(target).is_ok_and(|target| target == file) {
                 return Err(PlotError::BadOut {
                     path: self.picture.clone(),
-                    why: format!("{} is what is to be drawn", target.display()),
+                    why: format!("{} is what is to be drawn", echo::path(target)),
                     way_out: "another --out".to_owned(),
                 });
             }
@@ -113,15 +120,8 @@ impl Target {
         if self.is_silent {
             return Ok(());
         }
-        let (picture, script) = (self.picture.display(), self.script.display());
+        let (picture, script) = (echo::path(&self.picture), echo::path(&self.script));
         Ok(writeln!(io::stdout(), "wrote {picture} and {script}")?)
-    }
-}
-
-fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
     }
 }
 

@@ -1,15 +1,16 @@
 //! Why a run cannot go on, and the one way out that works.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::Failure;
 use crate::cli::claim::shown;
 use crate::cli::refusal::Refusal;
 use crate::cli::typed::quoted;
+use crate::echo;
 use crate::output::OutputError;
 use crate::output::checkpoint::container::Flaw;
 use crate::output::checkpoint::{self, Checkpoint, CheckpointError};
+use crate::output::place::{folder_of, plain_text};
 use crate::output::record;
 
 /// What to say instead of `why` the checkpoint `file` cannot be read, if the run there has reached its end and
@@ -43,7 +44,7 @@ pub(super) fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
 
 /// What the checkpoint `file` holds does not fit together.
 pub(super) fn unfit(file: &Path, why: &str) -> Failure {
-    refusal(file, format!("cannot resume from {}: {why}", file.display()), other(file))
+    refusal(file, format!("cannot resume from {}: {why}", echo::path(file)), other(file))
 }
 
 /// The files of the run cannot be continued from the checkpoint `file`.
@@ -121,7 +122,7 @@ fn end_of_run(folder: &Path) -> Option<(Refusal, bool)> {
         return None;
     }
     let path = folder.join(record::FILE);
-    let text = fs::read_to_string(&path).ok()?;
+    let text = plain_text(&path).ok()?;
     let result = |name: &str| {
         record::results(&text).find_map(|(this, value)| (this == name).then(|| value.to_owned()))
     };
@@ -148,10 +149,4 @@ fn end_of_run(folder: &Path) -> Option<(Refusal, bool)> {
         ),
     };
     Some((Refusal { why, way_out }, result("went_wrong").is_some()))
-}
-
-/// The folder of `file`.
-pub(super) fn folder_of(file: &Path) -> &Path {
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-    folder.unwrap_or(Path::new("."))
 }

@@ -4,7 +4,8 @@ use std::io::{self, BufReader};
 use std::path::Path;
 
 use super::container::{self, Content, Flaw};
-use super::{Checkpoint, CheckpointError, Progress, plain_file};
+use super::{Checkpoint, CheckpointError, Progress};
+use crate::output::place::plain_file;
 use crate::output::recorder::continued::Written;
 
 impl Checkpoint {

@@ -2,17 +2,19 @@
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufReader, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{OutputPlan, Recorder, make_ready, remove_if_there};
+use super::{OutputPlan, Recorder, make_ready, refuse_in_the_way, stale};
 use crate::analysis::energy::EnergyLedger;
 use crate::output::energy::EnergyFile;
 use crate::output::growing::Extent;
 use crate::output::live::LiveFrame;
 use crate::output::live_writer::LiveWriter;
+use crate::output::place::plain_file;
 use crate::output::replace::{NewFile, remove_temporaries};
+use crate::output::together::take_places;
 use crate::output::trajectory::Trajectory;
 use crate::output::{OutputError, checkpoint, failure, record};
 use crate::simulation::Simulation;
@@ -88,56 +90,56 @@ impl Recorder {
     ) -> Result<Self, OutputError> {
         written.check(from)?;
         let folder = &plan.folder;
-        if !is_same_folder(from, folder) {
-            copy(from, folder, written.extents())?;
-        }
-        // The first thing written: where it cannot be, nothing has been touched.
-        let mut record = NewFile::create(&folder.join(record::FILE))?;
-        record.write(plan.record.as_bytes())?;
-        record.take_place()?;
-        // The run was killed, and is the only one here: its files are.
+        let path = |name: &str| folder.join(name);
+        let is_here = is_same_folder(from, folder);
+        // A checkpoint here may be no good: the run goes on from the other one.
+        if is_here {
+            refuse_in_the_way(folder)?
+        } else {
+            make_ready(folder)?
+        };
+        // Of a run that was killed; and the only one here is this one.
         remove_temporaries(folder, &FILES);
-        remove_if_there(&folder.join(failure::FILE))?; // of what came after the checkpoint
-        let trajectory = folder.join(TRAJECTORY);
-        let frames = Trajectory::continued(
-            open(&trajectory)?,
-            trajectory,
-            plan.side,
-            written.trajectory,
-            written.frame_at,
-        )?;
-        let energy = ledger(folder, written)?;
-        let live = LiveFrame { path: folder.join(LIVE), side: plan.side, border: plan.border };
-        live.refresh(simulation)?;
+        let mut new = Vec::new();
+        let continued = |name, extent, new: &mut Vec<NewFile>| match is_here {
+            true => open(&path(name)),
+            false => copy(&from.join(name), extent, &path(name), new),
+        };
+        // Everything that can fail comes first: where something does, nothing has been touched.
+        let trajectory = continued(TRAJECTORY, written.trajectory, &mut new)?;
+        let energy =
+            written.energy.map(|extent| Ok((continued(ENERGY, extent, &mut new)?, extent)));
+        let energy = energy.transpose()?;
+        let mut record = NewFile::create(&path(record::FILE))?;
+        record.write(plan.record.as_bytes())?;
+        let live = LiveFrame { path: path(LIVE), side: plan.side, border: plan.border };
+        let first = NewFile::create(&live.path)?;
+        live.write_all(first.writer()?, simulation)?;
+        new.extend([record, first]);
+        let is_kept =
+            |name: &&str| is_here && [checkpoint::FILE, checkpoint::PREVIOUS].contains(name);
+        let stale = stale(true, energy.is_some()).filter(|name| !is_kept(name)).map(path);
+        take_places(new, &stale.collect::<Vec<_>>())?;
+
+        let (extent, last) = (written.trajectory, written.frame_at);
+        let frames = Trajectory::continued(trajectory, path(TRAJECTORY), plan.side, extent, last)?;
+        let ledger = EnergyLedger::continued(written.ledger_kinetic_J);
+        let energy = energy.map(|(file, extent)| EnergyFile::continued(file, path(ENERGY), extent));
         Ok(Self {
             plan: plan.clone(),
             live: LiveWriter::new(live),
             trajectory: frames,
-            energy,
+            energy: energy.transpose()?.map(|file| (ledger, file)),
             frame_at: written.frame_at,
             energy_at: written.energy_at,
         })
     }
 }
 
-/// The energy ledger and its file, if the run keeps one.
-fn ledger(
-    folder: &Path,
-    written: &Written,
-) -> Result<Option<(EnergyLedger, EnergyFile)>, OutputError> {
-    let path = folder.join(ENERGY);
-    let Some(extent) = written.energy else {
-        remove_if_there(&path)?; // of a former run
-        return Ok(None);
-    };
-    let file = EnergyFile::continued(open(&path)?, path, extent)?;
-    Ok(Some((EnergyLedger::continued(written.ledger_kinetic_J), file)))
-}
-
 /// The file at `path` must begin with `extent`.
 fn check(path: &Path, extent: Extent) -> Result<(), OutputError> {
     let refuse = |why: String| Err(OutputError::NotOfThatRun { path: path.to_owned(), why });
-    let file = match File::open(path) {
+    let file = match plain_file(path) {
         Ok(file) => file,
         Err(why) if why.kind() == io::ErrorKind::NotFound => {
             return refuse("it is not there".to_owned());
@@ -161,31 +163,27 @@ pub fn is_same_folder(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Copies the files, as far as they are good, into another folder, whose own run they replace.
+/// A copy of the file `from`, as far as it is good, to write on; it will take the place of `to` with the other `new`
+/// ones.
 fn copy(
     from: &Path,
-    folder: &Path,
-    files: impl Iterator<Item = (&'static str, Extent)>,
-) -> Result<(), OutputError> {
-    make_ready(folder)?;
-    let mut copies = Vec::new();
-    for (name, extent) in files {
-        let (from, to) = (from.join(name), folder.join(name));
-        let copy = NewFile::create(&to)?;
-        let mut out = copy.writer()?;
-        File::open(&from)
-            .and_then(|file| io::copy(&mut file.take(extent.bytes), &mut out))
-            .map_err(|source| OutputError::Write { path: to, source })?;
-        copies.push(copy);
-    }
-    copies.into_iter().try_for_each(NewFile::take_place)?;
-    checkpoint::remove(folder)
+    extent: Extent,
+    to: &Path,
+    new: &mut Vec<NewFile>,
+) -> Result<File, OutputError> {
+    let copy = NewFile::create(to)?;
+    let mut out = copy.writer()?;
+    plain_file(from)
+        .and_then(|file| io::copy(&mut file.take(extent.bytes), &mut out))
+        .map_err(|source| OutputError::Write { path: to.to_owned(), source })?;
+    new.push(copy);
+    Ok(out)
 }
 
-fn open(path: &PathBuf) -> Result<File, OutputError> {
+fn open(path: &Path) -> Result<File, OutputError> {
     OpenOptions::new()
         .read(true)
         .write(true)
         .open(path)
-        .map_err(|source| OutputError::Create { path: path.clone(), source })
+        .map_err(|source| OutputError::Create { path: path.to_owned(), source })
 }
