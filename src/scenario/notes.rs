@@ -27,7 +27,8 @@ impl Scenario {
             self.note_on_start(discs),
             self.note_on_lattice(),
         ];
-        before.into_iter().chain(findings).chain(after).flatten().collect()
+        let of_file = self.notes_on_file().iter().cloned().map(Some);
+        of_file.chain(before).chain(findings).chain(after).flatten().collect()
     }
 
     fn note_on_damping(&self) -> Option<String> {
