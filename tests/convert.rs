@@ -28,7 +28,10 @@ fn positive() -> impl Strategy<Value = f64> {
     number().prop_map(|value| printed(value.abs() + 1e-30))
 }
 
-fn row() -> impl Strategy<Value = ([f64; 4], [f64; 2])> {
+/// x, y, vx, vy; radius and mass.
+type Numbers = ([f64; 4], [f64; 2]);
+
+fn row() -> impl Strategy<Value = Numbers> {
     ([number(), number(), number(), number()], [positive(), positive()])
 }
 
@@ -38,8 +41,8 @@ fn frames() -> impl Strategy<Value = Vec<Frame>> {
     let rows = proptest::collection::vec(row(), 1..6);
     let frames = proptest::collection::vec(rows, 1..4);
     (things, frames, positive()).prop_map(|(has, frames, side)| {
-        let frame = |(index, rows): (usize, Vec<([f64; 4], [f64; 2])>)| {
-            let row = |(k, ([x, y, vx, vy], [radius, mass])): (usize, _)| FrameRow {
+        let frame = |(index, rows): (usize, Vec<Numbers>)| {
+            let row = |(k, ([x, y, vx, vy], [radius, mass])): (usize, Numbers)| FrameRow {
                 position: DVec2::new(x, y),
                 radius,
                 velocity: has[0].then_some(DVec2::new(vx, vy)),
@@ -152,7 +155,7 @@ fn what_is_missing_is_said_and_not_invented() {
     for (name, absent, notes) in [
         (
             "a.csv",
-            &["vx", "m", "time", "side"][..],
+            &["vx", ",m", "time", "side"][..],
             &["no velocities", "no masses", "no times", "no side"][..],
         ),
         (

@@ -3,7 +3,10 @@
 use std::fs;
 use std::path::Path;
 
+use parsim2d::analysis::collision::damping_ratio_for;
+use parsim2d::figure::forces::{discs, links, walls};
 use parsim2d::output::frames::read_frame;
+use parsim2d::scenario::Scenario;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -140,4 +143,77 @@ fn a_run_from_a_frame_is_resumed_with_its_masses() {
     fs::remove_file(folder.path().join("trajectory.txt")).unwrap();
     let (resumed, _) = run(folder.path(), "resume parts --time 4ms");
     assert_eq!(resumed["state_hash"], reference["state_hash"]);
+}
+
+/// Two discs of 1 kg, a hair before they touch at 1 m/s, and a hair after.
+const MEETING: &str = "gravity = 0\nradius = 0.05\nside = 1\nkn = 1e4\nrestitution = 0.5\ndt = 1e-6\nevery = 1\n\
+                       time = 1e-4\n[[disc]]\nposition = [0.44999999, 0.5]\nvelocity = [1.0, 0.0]\nmass = 1.0\n\
+                       [[disc]]\nposition = [0.54999999, 0.5]\nmass = 1.0\n";
+
+#[test]
+fn drawn_forces_are_those_of_each_discs_own_mass() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("meeting.toml"), MEETING).unwrap();
+    assert!(outcome(folder.path(), "meeting.toml -q").status.success());
+    let trajectory = fs::read(folder.path().join("trajectory.txt")).unwrap();
+    let frame = read_frame(&trajectory[..], Some(1)).unwrap();
+    let law = Scenario::from_toml(MEETING).unwrap().law();
+    let drawn = links(&discs(&frame, 1e-3), &law, &walls(&frame));
+    // k delta + eta v, after one step at 1 m/s: delta = 1e-6 m, eta = 2 zeta sqrt(k m_eff).
+    let end = parsim2d::analysis::collision::ContactEnd::OverlapZero;
+    let eta = 2.0 * damping_ratio_for(0.5, end) * (1e4f64 * 0.5).sqrt();
+    let [one, other] = [frame.rows[0], frame.rows[1]];
+    let speed = one.velocity.unwrap().x - other.velocity.unwrap().x;
+    let overlap = 0.1 - one.position.distance(other.position);
+    let closed_form = 1e4 * overlap + eta * speed;
+    assert_eq!(drawn.len(), 1);
+    assert!((drawn[0].push - closed_form).abs() < 1e-9, "{} N, not {closed_form} N", drawn[0].push); // rounding
+    // And by hand, to the digits of a frame: 1e-9 of 0.45 m is 4.5e-6 N.
+    assert!((drawn[0].push - 30.478).abs() < 1e-3, "{} N", drawn[0].push);
+    let plot = |more: &str| {
+        text(
+            &outcome(folder.path(), &format!("plot forces trajectory.txt --frame 1 {more}")).stderr,
+        )
+    };
+    let largest = || {
+        let picture = fs::read_to_string(folder.path().join("forces.svg")).unwrap();
+        let (_, after) = picture.split_once("the largest force ").unwrap();
+        after.split('<').next().unwrap().to_owned()
+    };
+    assert_eq!((plot(""), largest()), (String::new(), "30.5 N".to_owned()));
+    assert!(plot("--mass 1g").contains("--mass is not used") && largest() == "30.5 N");
+    // Without masses in the file it says which it took.
+    let bare = text(&trajectory).replace(" vx vy m\n", " vx vy\n").replace(" 1\n", "\n");
+    fs::write(folder.path().join("trajectory.txt"), bare).unwrap();
+    assert_eq!(
+        plot(""),
+        "note: the frame has no masses; each disc is taken to have 0.001 kg (--mass)\n"
+    );
+    assert_eq!(largest(), "0.973 N");
+    plot("--mass 1kg");
+    assert_eq!(largest(), "30.5 N");
+}
+
+#[test]
+fn a_picture_of_a_file_that_gnuplot_does_not_read_has_a_script_that_says_so() {
+    let folder = two_kinds();
+    assert!(outcome(folder.path(), "convert trajectory.txt run.xyz").status.success());
+    for kind in ["frame", "velocity", "trajectory"] {
+        let pictures = ["trajectory.txt", "run.xyz"].map(|file| {
+            let output = outcome(folder.path(), &format!("plot {kind} {file}"));
+            assert!(output.status.success(), "{}", text(&output.stderr));
+            let is_told = text(&output.stderr).contains("parsim2d convert run.xyz frames.txt");
+            let script = fs::read_to_string(folder.path().join(format!("{kind}.gp"))).unwrap();
+            assert_eq!(
+                [
+                    is_told,
+                    script.contains("exit status 1\n")
+                        && script.starts_with("# gnuplot does not read")
+                ],
+                [file == "run.xyz"; 2]
+            );
+            fs::read_to_string(folder.path().join(format!("{kind}.svg"))).unwrap()
+        });
+        assert!(pictures[0] == pictures[1], "{kind}");
+    }
 }

@@ -53,14 +53,11 @@ pub(super) fn read(
         });
     }
     check(&frame).map_err(bad_start)?;
-    let remarks = remarks.into_iter().map(|remark| format!("{path}: {remark}"));
-    let missing = missing(path, &frame, scenario);
-    let unused = settings.mass.filter(|_| has_masses).map(|mass| (mass.si, &frame));
-    let unused =
-        unused.filter(|(mass, frame)| frame.rows.iter().any(|row| row.mass != Some(*mass)));
-    let unused = unused.map(|(mass, _)| {
-        format!("{path} has the mass of each disc: mass = {} kg is not used", Num(mass))
-    });
+    let notes = remarks.into_iter().map(|remark| format!("{path}: {remark}"));
+    let notes = notes
+        .chain(missing(path, &frame, scenario))
+        .chain(unused(path, &frame, settings))
+        .collect();
     let side = frame.side;
     let disc = |row: FrameRow| {
         let mass = row.mass.unwrap_or(scenario.mass);
@@ -75,7 +72,7 @@ pub(super) fn read(
         has_velocities,
         has_masses,
         are_named: names_columns,
-        notes: remarks.chain(missing).chain(unused).collect(),
+        notes,
     };
     Ok((source, side))
 }
@@ -92,6 +89,14 @@ fn check(frame: &Frame) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// What is said of all discs, and the file says of each.
+fn unused(path: &str, frame: &Frame, settings: &Settings) -> Option<String> {
+    let mass = settings.mass.filter(|_| frame.has_masses())?.si;
+    let differs = frame.rows.iter().any(|row| row.mass != Some(mass));
+    let mass = Num(mass);
+    differs.then(|| format!("{path} has the mass of each disc: mass = {mass} kg is not used"))
 }
 
 /// What the file does not hold, and what is taken for it.

@@ -42,6 +42,16 @@ pub struct Table {
     is_narrow: bool,
 }
 
+/// What was done with a line.
+enum Step {
+    /// It is taken.
+    Taken,
+    /// Nothing: it belongs to the next frame.
+    OfNextFrame,
+    /// Nothing: no heading names the columns of the rows that begin with it.
+    Unnamed,
+}
+
 impl Table {
     /// A table with these columns, if they are said by hand.
     pub fn new(by_hand: Option<Layout>) -> Self {
@@ -72,49 +82,71 @@ impl Table {
                 gap += 1;
                 continue;
             }
-            let comment = line.text.strip_prefix('#').map(Comment::of);
-            let has_ended = gap > 0 || comment.as_ref().is_some_and(|comment| comment.is_head);
-            if has_ended && !self.begun.rows.is_empty() {
-                self.is_narrow |= gap < 2;
-                lines.put_back();
-                return Ok(Some(self.finish(remarks)));
-            }
-            gap = 0;
-            if let Some(comment) = comment {
-                self.take_comment(&line, comment)?;
-                continue;
-            }
-            if line.is_cut && self.begun.declared.is_some() {
-                return Err(line.at("the line is cut off"));
-            }
-            if self.begun.declared.is_some_and(|n| self.begun.rows.len() >= n) {
-                continue; // a border
-            }
-            let begins_with_number =
-                line.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
-            if (self.layout.is_none() || !begins_with_number) && self.take_names(&line)? {
-                if !self.begun.rows.is_empty() {
-                    self.is_narrow = true;
-                    lines.put_back(); // another frame
+            match self.take(&line, gap, remarks)? {
+                Step::Taken => {}
+                Step::OfNextFrame => {
+                    lines.put_back();
                     return Ok(Some(self.finish(remarks)));
                 }
-                continue;
+                Step::Unnamed => {
+                    let separator = self.separator_of(&line);
+                    lines.put_back();
+                    self.take_block(Block::read(lines, separator, self.begun.declared)?, remarks)?;
+                }
             }
-            if self.layout.is_none() {
-                let separator = *self.separator.get_or_insert_with(|| Separator::of(&line.text));
-                lines.put_back();
-                self.take_block(Block::read(lines, separator, self.begun.declared)?, remarks)?;
-                continue;
-            }
-            let row = self.row(&line)?;
-            if self.is_of_next(&row) {
-                self.is_narrow = true;
-                lines.put_back();
-                return Ok(Some(self.finish(remarks)));
-            }
-            self.push(row, remarks);
+            gap = 0;
         }
         self.last_frame(remarks)
+    }
+
+    /// Takes a line after `gap` blank ones.
+    fn take(&mut self, line: &Line, gap: usize, remarks: &mut Remarks) -> Result<Step, String> {
+        let comment = line.text.strip_prefix('#').map(Comment::of);
+        let has_ended = gap > 0 || comment.as_ref().is_some_and(|comment| comment.is_head);
+        if has_ended && !self.begun.rows.is_empty() {
+            self.is_narrow |= gap < 2;
+            return Ok(Step::OfNextFrame);
+        }
+        if let Some(comment) = comment {
+            return self.take_comment(line, comment).map(|()| Step::Taken);
+        }
+        if line.is_cut && self.begun.declared.is_some() {
+            return Err(line.at("the line is cut off"));
+        }
+        if self.begun.declared.is_some_and(|n| self.begun.rows.len() >= n) {
+            return Ok(Step::Taken); // a border
+        }
+        self.take_data(line, remarks)
+    }
+
+    /// Takes a line of names or numbers.
+    fn take_data(&mut self, line: &Line, remarks: &mut Remarks) -> Result<Step, String> {
+        let begins_with_number =
+            line.text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        if (self.layout.is_none() || !begins_with_number) && self.take_names(line)? {
+            if self.begun.rows.is_empty() {
+                return Ok(Step::Taken);
+            }
+            self.is_narrow = true;
+            return Ok(Step::OfNextFrame);
+        }
+        if self.is_guessed && self.begun.rows.is_empty() && !self.has_width_of(line) {
+            self.layout = None; // a frame of its own
+        }
+        if self.layout.is_none() {
+            return Ok(Step::Unnamed);
+        }
+        let row = self.row(line)?;
+        if self.is_of_next(&row) {
+            self.is_narrow = true;
+            return Ok(Step::OfNextFrame);
+        }
+        self.push(row, remarks);
+        Ok(Step::Taken)
+    }
+
+    fn separator_of(&mut self, line: &Line) -> Separator {
+        *self.separator.get_or_insert_with(|| Separator::of(&line.text))
     }
 
     fn take_comment(&mut self, line: &Line, comment: Comment) -> Result<(), String> {
@@ -189,7 +221,9 @@ impl Table {
         }
         let Some(names) = self.names.take() else { return Ok(()) };
         let words = words_of(&names);
-        let has = |column| words.iter().any(|word| Column::named(word) == Ok(column));
+        // One of ours in other units is one of ours.
+        let has =
+            |column| words.iter().any(|word| Column::named(word).map_or(true, |one| one == column));
         if words.len() == n && has(Column::X) && has(Column::Y) {
             self.layout = Some(named(&names)?);
         }
@@ -219,6 +253,12 @@ impl Table {
             let way_out = if by_hand.is_some() { "; --columns says so" } else { "" };
             line.at(format!("{why}{way_out}"))
         })
+    }
+
+    /// Whether `line` has as many columns as the layout.
+    fn has_width_of(&self, line: &Line) -> bool {
+        let width = self.separator.unwrap_or(Separator::BLANK).words(&line.text).count();
+        self.layout.as_ref().is_some_and(|layout| layout.columns().len() == width)
     }
 
     /// Whether `row` says that it belongs to another frame than those before it.

@@ -10,9 +10,11 @@ use super::guess::{self, Guess, Sample};
 use super::layout::Layout;
 use super::lines::Lines;
 use super::remarks::Remarks;
-use super::separator::Separator;
+use super::separator::{Separator, shortened};
 use super::{Frame, frame_of_rows, no_square, push_values};
 use crate::output::number::push_g9;
+
+const BLANK: Separator = Separator::BLANK;
 
 /// A file in this format while it is read.
 #[derive(Debug, Default)]
@@ -41,45 +43,22 @@ impl Xyz {
         lines: &mut Lines<R>,
         remarks: &mut Remarks,
     ) -> Result<Option<Frame>, String> {
-        let n = loop {
-            let Some(line) = lines.next()? else { return Ok(None) };
-            if !line.text.is_empty() {
-                let n = line.text.parse::<usize>();
-                break n.map_err(|_| {
-                    line.at(format!(
-                        "a frame begins with the number of its discs, not `{}`",
-                        line.text
-                    ))
-                })?;
-            }
-        };
-        let cut = |read: usize| format!("the frame is cut off: {read} of {n} discs");
-        let Some(line) = lines.next()? else { return Err(cut(0)) };
+        let Some(n) = count(lines)? else { return Ok(None) };
+        let Some(line) = lines.next()? else { return Err(cut(0, n)) };
         let remark = line.text.into_owned();
         let pairs = pairs(&remark);
         let properties = value(&pairs, "properties").map(columns).transpose()?;
-        let mut rows: Vec<String> = Vec::new();
-        let mut discs = Vec::new();
-        let layout = self.by_hand.clone().or(properties).or(self.first.clone());
-        for k in 0..n {
-            let Some(line) = lines.next()? else { return Err(cut(k)) };
-            match &layout {
-                _ if line.is_cut && k + 1 < n => return Err(cut(k)),
-                Some(layout) => {
-                    let words = line.text.split_whitespace();
-                    let row = layout.row(words, Separator::BLANK);
-                    discs.push(row.map_err(|why| line.at(why))?);
-                }
-                None => rows.push(line.text.into_owned()),
+        let discs = match self.by_hand.as_ref().or(properties.as_ref()).or(self.first.as_ref()) {
+            Some(layout) => each_row(lines, n, |row| layout.row(row.split_whitespace(), BLANK))?,
+            None => {
+                let rows = each_row(lines, n, |row| Ok(row.to_owned()))?;
+                let layout = self.layout(&remark, &rows, remarks)?;
+                let discs = rows.iter().map(|row| layout.row(row.split_whitespace(), BLANK));
+                let discs = discs.collect::<Result<_, _>>()?;
+                self.first = Some(layout);
+                discs
             }
-        }
-        if let (None, Some(first)) = (&layout, rows.first()) {
-            let taken = self.layout(&remark, first, &rows, remarks)?;
-            for row in &rows {
-                discs.push(taken.row(row.split_whitespace(), Separator::BLANK)?);
-            }
-            self.first = Some(taken);
-        }
+        };
         let mut frame = frame_of_rows(&discs, remarks);
         frame.time = value(&pairs, "time").and_then(|time| time.parse().ok());
         frame.step =
@@ -92,10 +71,10 @@ impl Xyz {
     fn layout(
         &mut self,
         remark: &str,
-        first: &str,
         rows: &[String],
         remarks: &mut Remarks,
     ) -> Result<Layout, String> {
+        let first = rows.first().map_or("", String::as_str);
         let n = first.split_whitespace().count();
         if let Ok(named) = Layout::named(remark.trim_start_matches('#').split_whitespace())
             && named.columns().len() == n
@@ -112,7 +91,7 @@ impl Xyz {
         let mut numbers = Vec::with_capacity(n * rows.len());
         for row in rows {
             for word in row.split_whitespace() {
-                numbers.push(Separator::BLANK.number(word)?);
+                numbers.push(BLANK.number(word)?);
             }
         }
         if numbers.len() != n * rows.len() {
@@ -123,6 +102,43 @@ impl Xyz {
         self.is_guessed = true;
         Ok(layout)
     }
+}
+
+/// The number of discs with which a frame begins; none at the end of the file.
+fn count<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<usize>, String> {
+    while let Some(line) = lines.next()? {
+        if !line.text.is_empty() {
+            let n = line.text.parse();
+            let why = || {
+                let said = shortened(&line.text);
+                line.at(format!("a frame begins with the number of its discs, not `{said}`"))
+            };
+            return n.map(Some).map_err(|_| why());
+        }
+    }
+    Ok(None)
+}
+
+/// The next `n` lines as `read` reads them.
+pub(super) fn each_row<R: BufRead, T>(
+    lines: &mut Lines<R>,
+    n: usize,
+    read: impl Fn(&str) -> Result<T, String>,
+) -> Result<Vec<T>, String> {
+    let mut rows = Vec::new();
+    for k in 0..n {
+        match lines.next()? {
+            Some(line) if !line.is_cut || k + 1 == n => {
+                rows.push(read(&line.text).map_err(|why| line.at(why))?);
+            }
+            _ => return Err(cut(k, n)),
+        }
+    }
+    Ok(rows)
+}
+
+fn cut(read: usize, n: usize) -> String {
+    format!("the frame is cut off: {read} of {n} discs")
 }
 
 /// The columns that `species:S:1:pos:R:3` and the like name.

@@ -7,6 +7,7 @@ use crate::output::frames::layout::Layout;
 use crate::output::frames::lines::Lines;
 use crate::output::frames::remarks::Remarks;
 use crate::output::frames::separator::Separator;
+use crate::output::frames::xyz::each_row;
 use crate::output::frames::{Frame, frame_of_rows, push_values};
 use crate::output::number::push_g9;
 
@@ -68,16 +69,7 @@ impl Dump {
         remarks: &mut Remarks,
     ) -> Result<Frame, String> {
         let n = head.n.ok_or("there is no `ITEM: NUMBER OF ATOMS` before its atoms")?;
-        let cut = |read: usize| format!("the frame is cut off: {read} of {n} discs");
-        let mut rows = Vec::new();
-        for k in 0..n {
-            let Some(line) = lines.next()? else { return Err(cut(k)) };
-            if line.is_cut && k + 1 < n {
-                return Err(cut(k));
-            }
-            let row = layout.row(line.text.split_whitespace(), Separator::BLANK);
-            rows.push(row.map_err(|why| line.at(why))?);
-        }
+        let rows = each_row(lines, n, |row| layout.row(row.split_whitespace(), Separator::BLANK))?;
         let mut frame = frame_of_rows(&rows, remarks);
         if is_scaled(names) && self.by_hand.is_none() {
             let [Some(x), Some(y)] = head.bounds else {
