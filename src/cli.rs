@@ -3,6 +3,7 @@
 mod answer;
 mod check;
 mod claim;
+mod convert;
 mod doctor;
 mod drift;
 mod grade;
@@ -53,6 +54,7 @@ pub fn run() -> ExitCode {
         None => run::run(&cli.run),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Check(arguments)) => check::check(&arguments),
+        Some(Command::Convert(arguments)) => convert::convert(&arguments),
         Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
         Some(Command::Drift(arguments)) => drift::run(&arguments),
         Some(Command::Grade(arguments)) => grade::run(&arguments),
@@ -137,7 +139,7 @@ Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 130 int
 
 /// A 2D particle simulator for teaching: discs, springs and dashpots in a box.
 ///
-/// Writes out.txt (the present frame, x y r), trajectory.txt (all frames, x y r vx vy) and
+/// Writes out.txt (the present frame, x y r), trajectory.txt (all frames, x y r vx vy m) and
 /// energy.csv (the energy ledger). All values in SI units; a unit may be added: 4cm, 1ms, 2g.
 #[derive(Parser)]
 #[command(name = "parsim2d", version, after_help = EXAMPLES)]
@@ -173,6 +175,9 @@ enum Command {
     Resume(Box<resume::ResumeArguments>),
     /// List the presets and their numbers
     Presets,
+    /// Write frames in another format: text, extended XYZ, LAMMPS dump, CSV
+    #[command(after_help = convert::EXAMPLES)]
+    Convert(Box<convert::ConvertArguments>),
     /// Say which optional programs are there, and what each is good for
     Doctor(doctor::DoctorArguments),
 }

@@ -26,7 +26,7 @@ pub mod quantity;
 mod range;
 mod resolve;
 pub mod settings;
-mod start;
+pub mod start;
 pub mod study;
 mod suspects;
 pub mod wished;
@@ -48,6 +48,7 @@ use crate::discs::{Discs, PlainDiscs};
 use crate::force::{Contacts, HalfPlane, Walls};
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
 use crate::neighbours::Neighbours;
+use crate::output::frames::layout::Layout;
 use crate::output::recorder::OutputPlan;
 use crate::output::{energy, trajectory};
 use crate::particle::{Damping, Particle, SpringDashpot};
@@ -157,10 +158,18 @@ pub enum DiscSource {
     Frame {
         /// The file and frame as said.
         said: String,
+        /// Which column is what, if that was said by hand.
+        columns: Option<Layout>,
         /// The discs read, shared by all variants of a scenario.
         discs: Arc<FramedDiscs>,
         /// Whether the file has columns for velocities.
         has_velocities: bool,
+        /// Whether the file has a column for masses.
+        has_masses: bool,
+        /// Whether its columns are named, by the file or by hand.
+        are_named: bool,
+        /// What is to be said of how the file was read.
+        notes: Vec<String>,
     },
 }
 
@@ -222,6 +231,14 @@ impl Scenario {
                 listed.len() + groups.iter().map(|group| group.n).sum::<usize>()
             }
             DiscSource::Frame { discs, .. } => discs.len(),
+        }
+    }
+
+    /// What is to be said of how the file was read from which the discs come.
+    pub fn notes_on_file(&self) -> &[String] {
+        match &self.discs {
+            DiscSource::Frame { notes, .. } => notes,
+            _ => &[],
         }
     }
 

@@ -49,16 +49,16 @@ fn out_txt_is_the_last_frame_byte_for_byte() {
 #[test]
 fn trajectory_txt_has_first_and_last_frame_and_gaps_before_all_but_the_first() {
     let expected = "\
-# step 0 time_s 0 n 1 side_m 0.04 columns x y r vx vy
-0.02 0.02 0.0001 0.5 1
+# step 0 time_s 0 n 1 side_m 0.04 columns x y r vx vy m
+0.02 0.02 0.0001 0.5 1 0.001
 
 
-# step 2 time_s 0.002 n 1 side_m 0.04 columns x y r vx vy
-0.021 0.02197 0.0001 0.5 0.98
+# step 2 time_s 0.002 n 1 side_m 0.04 columns x y r vx vy m
+0.021 0.02197 0.0001 0.5 0.98 0.001
 
 
-# step 3 time_s 0.003 n 1 side_m 0.04 columns x y r vx vy
-0.0215 0.02294 0.0001 0.5 0.97
+# step 3 time_s 0.003 n 1 side_m 0.04 columns x y r vx vy m
+0.0215 0.02294 0.0001 0.5 0.97 0.001
 ";
     assert_eq!(read(&throw(""), "trajectory.txt"), expected);
 }
@@ -211,7 +211,7 @@ fn pandas_numpy_and_gnuplot_conventions_hold() {
     // Numbers use a dot and no thousands separator; every row of a file has the same columns.
     let folder = run("-n 30 --radius 5e-4 --time 0.05 --seed 3");
     for (name, columns, separator) in
-        [("out.txt", 3, ' '), ("trajectory.txt", 5, ' '), ("energy.csv", 9, ',')]
+        [("out.txt", 3, ' '), ("trajectory.txt", 6, ' '), ("energy.csv", 9, ',')]
     {
         let text = read(&folder, name);
         let rows = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());

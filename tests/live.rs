@@ -50,15 +50,13 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn a_frame_of_several_blocks_is_its_rows_one_after_the_other() {
     let simulation = simulation(5000); // 300 kB
-    for (columns, names) in
-        [(Columns::Positions, "x y r"), (Columns::PositionsAndVelocities, "x y r vx vy")]
-    {
+    for (columns, names) in [(Columns::Positions, "x y r"), (Columns::Discs, "x y r vx vy m")] {
         let n = simulation.n();
         let mut expected =
             format!("# step 0 time_s 0 n {n} side_m 0.04 columns {names}\n").into_bytes();
         for disc in simulation.particles() {
             let (place, velocity) = (disc.position, disc.velocity);
-            let row = [place.x, place.y, disc.radius, velocity.x, velocity.y];
+            let row = [place.x, place.y, disc.radius, velocity.x, velocity.y, disc.mass];
             for &value in &row[..names.split(' ').count()] {
                 push_g9(&mut expected, value);
                 expected.push(b' ');

@@ -207,18 +207,20 @@ fn what_is_no_checkpoint_is_called_what_it_is_and_a_damaged_one_is_replaced_with
 }
 
 #[test]
-fn a_run_does_not_replace_the_trajectory_that_it_starts_from() {
+fn a_run_does_not_replace_the_file_that_it_starts_from() {
     let folder = tempfile::tempdir().unwrap();
     assert!(outcome(folder.path(), CASE).status.success());
-    for start in ["trajectory.txt", "trajectory.txt:2", "./trajectory.txt"] {
+    for start in ["trajectory.txt", "trajectory.txt:2", "./trajectory.txt", "out.txt", "out.txt:0"]
+    {
         let arguments = format!("--start {start} --time 1ms");
         assert_refused(folder.path(), &arguments, &["this run would replace", "--out-dir next"]);
     }
     assert!(
         outcome(folder.path(), "--start trajectory.txt --time 1ms --out-dir next").status.success()
     );
-    // A frame alone is read whole, and listed in the record.
-    assert!(outcome(folder.path(), "--start out.txt --time 1ms").status.success());
+    // Under another name it is not replaced; and its discs are listed in the record.
+    fs::rename(folder.path().join("out.txt"), folder.path().join("start.txt")).unwrap();
+    assert!(outcome(folder.path(), "--start start.txt --time 1ms").status.success());
     let record = fs::read_to_string(folder.path().join("last-run.toml")).unwrap();
     assert_eq!(record.matches("[[disc]]").count(), 30);
 }

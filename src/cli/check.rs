@@ -28,6 +28,9 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     lenient.settings.allow_unstable = Some(true);
     let json = arguments.settings.json.unwrap_or(false);
     let diagnosis = scenario(&lenient).and_then(|(scenario, _)| {
+        scenario.notes_on_file().iter().for_each(|note| {
+            let _ = writeln!(io::stderr(), "note: {note}"); // a closed stderr is no failure
+        });
         scenario.build()?; // places the discs: no change of the time step makes room for them
         let particle_steps = scenario.n() as f64 * scenario.steps() as f64;
         Ok((scenario.diagnosis(), particle_steps, scenario.reading_of_the_guide()))

@@ -12,6 +12,7 @@ use crate::output::failure;
 use crate::output::lock::FolderLock;
 use crate::output::recorder::{make_folder, refuse_in_the_way};
 use crate::scenario::settings::Settings;
+use crate::scenario::start::file_and_frame;
 use crate::scenario::{DiscSource, Scenario};
 
 /// A folder to write to.
@@ -118,21 +119,17 @@ fn of_whole(path: &Path, whole: Checkpoint) -> Result<Option<String>, Failure> {
     }))
 }
 
-/// Refuses a run that starts from a frame of the very trajectory that it would replace. One frame alone,
-/// as `out.txt`, is no loss: it is read whole before, and `last-run.toml` lists its discs.
+/// Refuses a run that starts from a file that it would replace.
 pub(super) fn keep_start(scenario: &Scenario) -> Result<(), Failure> {
     let DiscSource::Frame { said, .. } = &scenario.discs else { return Ok(()) };
-    let start = match said.rsplit_once(':') {
-        Some((path, k)) if k.parse::<usize>().is_ok() => path,
-        _ => said,
-    };
+    let (start, _) = file_and_frame(said);
     let folder = &scenario.output.folder;
     let is_replaced =
         |name: &str| match (Path::new(start).canonicalize(), folder.join(name).canonicalize()) {
             (Ok(one), Ok(other)) => one == other,
             _ => false,
         };
-    if !is_replaced("trajectory.txt") {
+    if !is_replaced("trajectory.txt") && !is_replaced("out.txt") {
         return Ok(());
     }
     Err(Failure::Refused(Refusal {

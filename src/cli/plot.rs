@@ -12,13 +12,13 @@ use std::process::ExitCode;
 
 pub(super) use self::arguments::PlotArguments;
 use self::arguments::{
-    ColourName, EnergyArguments, ForcesArguments, FrameArguments, Kind, SpeedsArguments,
-    TrajectoryArguments, VelocityArguments,
+    ColourName, EnergyArguments, ForcesArguments, FrameArguments, Kind, ReadingArguments,
+    SpeedsArguments, TrajectoryArguments, VelocityArguments,
 };
 pub(super) use self::error::PlotError;
 pub(super) use self::input::FrameFile;
 use self::input::{one_file, read_table};
-use self::progress::Progress;
+pub(super) use self::progress::Progress;
 pub(super) use self::target::Target;
 use super::Failure;
 use super::told::Told;
@@ -54,6 +54,15 @@ pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// The one file of frames of a picture.
+fn frame_file(
+    kind: &'static str,
+    files: &[PathBuf],
+    reading: &ReadingArguments,
+) -> Result<FrameFile, Failure> {
+    Ok(FrameFile::with_columns(one_file(kind, files)?, reading.columns.clone()))
+}
+
 /// Draws `drift.csv` and the `drift_energy.csv` beside it.
 pub(super) fn plot_drift(file: &Path, target: &Target) -> Result<(), Failure> {
     let rows = read_table(file, "drift", crate::output::drift::read)?;
@@ -65,7 +74,7 @@ pub(super) fn plot_drift(file: &Path, target: &Target) -> Result<(), Failure> {
 }
 
 fn plot_frame(arguments: &FrameArguments) -> Result<(), Failure> {
-    let file = FrameFile::named(one_file("frame", &arguments.files)?);
+    let file = frame_file("frame", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "frame", "svg")?;
     let (index, one) = file.frame(arguments.frame)?;
     let has_velocities = has_velocities(&one);
@@ -85,7 +94,7 @@ fn plot_frame(arguments: &FrameArguments) -> Result<(), Failure> {
     let choice = Choice { by, vectors: arguments.vectors };
     let data = target.data(&file.path)?;
     let script = frame::script(&target.stem, &data, index, &one, choice);
-    target.write(&frame::figure(&one, choice), &script)
+    target.write(&frame::figure(&one, choice), &file.script(script))
 }
 
 /// A look at all frames.
@@ -101,7 +110,7 @@ fn survey(file: &FrameFile, until: Option<usize>) -> Result<Survey, Failure> {
 }
 
 fn plot_trajectory(arguments: &TrajectoryArguments) -> Result<(), Failure> {
-    let file = FrameFile::named(one_file("trajectory", &arguments.files)?);
+    let file = frame_file("trajectory", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "trajectory", "svg")?;
     let survey = survey(&file, arguments.until)?;
     let progress = Progress::begin(Some(survey.frames));
@@ -118,7 +127,7 @@ fn plot_trajectory(arguments: &TrajectoryArguments) -> Result<(), Failure> {
             Ok(())
         })?;
         let script = paths::moments_script(&target.stem, &data, &survey, &chosen);
-        return target.write(&paths::moments_figure(&survey, &chosen), &script);
+        return target.write(&paths::moments_figure(&survey, &chosen), &file.script(script));
     }
     let (mut drawn, mut last) = (Paths::begin(survey), Frame::default());
     file.each_frame(arguments.until, |index, frame| {
@@ -130,11 +139,11 @@ fn plot_trajectory(arguments: &TrajectoryArguments) -> Result<(), Failure> {
         Ok(())
     })?;
     let script = paths::script(&target.stem, &data, &survey, &last);
-    target.write(&drawn.figure(), &script)
+    target.write(&drawn.figure(), &file.script(script))
 }
 
 fn plot_animation(arguments: &TrajectoryArguments) -> Result<(), Failure> {
-    let file = FrameFile::named(one_file("trajectory", &arguments.files)?);
+    let file = frame_file("trajectory", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "trajectory", "gif")?;
     let survey = survey(&file, arguments.until)?;
     let progress = Progress::begin(Some(survey.frames));
@@ -164,7 +173,7 @@ fn plot_animation(arguments: &TrajectoryArguments) -> Result<(), Failure> {
         Some(failure) => Err(failure),
         None => {
             picture?;
-            target.write_script(&script)
+            target.write_script(&file.script(script))
         }
     }
 }
@@ -206,23 +215,31 @@ fn plot_energy(arguments: &EnergyArguments) -> Result<(), Failure> {
 }
 
 fn plot_velocity(arguments: &VelocityArguments) -> Result<(), Failure> {
-    let file = FrameFile::named(one_file("velocity", &arguments.files)?);
+    let file = frame_file("velocity", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "velocity", "svg")?;
     let (index, one) = file.frame(arguments.frame)?;
     if !has_velocities(&one) {
         return Err(PlotError::no_velocities(&file.path, "parsim2d plot frame").into());
     }
     let script = velocity::script(&target.stem, &target.data(&file.path)?, index, &one);
-    target.write(&velocity::figure(&one), &script)
+    target.write(&velocity::figure(&one), &file.script(script))
 }
 
 fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
-    let file = FrameFile::named(one_file("forces", &arguments.files)?);
+    let file = frame_file("forces", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "forces", "svg")?;
     let (_, one) = file.frame(arguments.frame)?;
     let scenario = arguments.scenario(law_beside(&file, &one, arguments))?;
     if !has_velocities(&one) {
         input::remark("the frame has no velocities; dashpots are taken to be at rest");
+    }
+    match (one.has_masses(), arguments.mass) {
+        (false, _) => input::remark(&format!(
+            "the frame has no masses; each disc is taken to have {} kg (--mass)",
+            scenario.mass
+        )),
+        (true, Some(_)) => input::remark("the frame has the mass of each disc; --mass is not used"),
+        (true, None) => {}
     }
     let walls = if scenario.walls { forces::walls(&one) } else { Vec::new() };
     let links = links(&discs(&one, scenario.mass), &scenario.law(), &walls);
@@ -273,7 +290,7 @@ pub(super) fn pooled_speeds(file: &FrameFile, until: Option<usize>) -> Result<Hi
 }
 
 fn plot_speeds(arguments: &SpeedsArguments) -> Result<(), Failure> {
-    let file = FrameFile::named(one_file("speeds", &arguments.files)?);
+    let file = frame_file("speeds", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "speeds", "svg")?;
     let (time, histogram) = if arguments.pool {
         (None, pooled_speeds(&file, arguments.until)?)

@@ -69,10 +69,10 @@ pub fn links(discs: &[Particle], law: &impl ContactLaw, walls: &[HalfPlane]) -> 
     links
 }
 
-/// The discs of a frame, each of `mass` (kg); at rest if the frame has no velocities.
+/// The discs of a frame, of `mass` (kg) if the frame has no masses; at rest if it has no velocities.
 pub fn discs(frame: &Frame, mass: f64) -> Vec<Particle> {
     let disc = |row: &FrameRow| {
-        let mut disc = Particle::at_rest(row.position, row.radius, mass);
+        let mut disc = Particle::at_rest(row.position, row.radius, row.mass.unwrap_or(mass));
         disc.velocity = row.velocity.unwrap_or_default();
         disc
     };

@@ -1,4 +1,4 @@
-//! `trajectory.txt`: many frames, `x y r vx vy`, two blank lines between them.
+//! `trajectory.txt`: many frames, `x y r vx vy m`, two blank lines between them.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -12,9 +12,9 @@ use crate::simulation::Simulation;
 
 /// More bytes than this, and the default interval between frames grows.
 const MOST_BYTES: u64 = 500_000_000;
-/// At most: a row has five numbers of nine digits and their signs, dots and exponents; most rows
-/// are some 50 bytes.
-const BYTES_PER_ROW: u64 = 70;
+/// At most: a row has five numbers of nine digits and their signs, dots and exponents, and a mass; most
+/// rows are some 55 bytes.
+const BYTES_PER_ROW: u64 = 80;
 
 /// Steps between frames if none were asked for: about 200 frames in a run of `n` discs and
 /// `steps` steps, fewer if the file would pass 500 MB.
@@ -22,7 +22,7 @@ const BYTES_PER_ROW: u64 = 70;
 /// ```
 /// use parsim2d::output::trajectory::default_every;
 /// assert_eq!(default_every(20, 112_540), 563);
-/// assert_eq!(default_every(1_000_000, 1000), 143); // eight frames of a million rows
+/// assert_eq!(default_every(1_000_000, 1000), 167); // seven frames of a million rows
 /// ```
 pub fn default_every(n: usize, steps: u64) -> u64 {
     let most_frames = (MOST_BYTES / (BYTES_PER_ROW * n.max(1) as u64)).clamp(1, 200);
@@ -65,7 +65,7 @@ impl Trajectory {
     pub fn append(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         let gap = if self.frames > 0 { "\n\n" } else { "" };
         self.frames += 1;
-        let columns = Columns::PositionsAndVelocities;
+        let columns = Columns::Discs;
         self.out
             .write_all(gap.as_bytes())
             .and_then(|()| write_frame(&mut self.out, simulation, self.side, columns))

@@ -27,9 +27,16 @@ impl Scenario {
     ) -> Result<(), ScenarioError> {
         let (discs, groups) = (&settings.discs, &settings.populations);
         self.discs = if let (Some(said), Some(discs)) = (&settings.start, frame) {
-            let has_velocities = settings.speed.is_none(); // else they are asked for
-            let (said, discs) = (said.clone(), Arc::new(discs));
-            DiscSource::Frame { said, discs, has_velocities }
+            DiscSource::Frame {
+                said: said.clone(),
+                columns: settings.columns.clone(),
+                discs: Arc::new(discs),
+                // A scenario says only what its file does not hold.
+                has_velocities: settings.speed.is_none(),
+                has_masses: settings.mass.is_none(),
+                are_named: true,
+                notes: Vec::new(),
+            }
         } else if let Some(said) = &settings.start {
             let (frame, side) = start::read(said, self, settings)?;
             if let (None, Some(side)) = (settings.side, side) {

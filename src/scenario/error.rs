@@ -132,6 +132,9 @@ impl ScenarioError {
             | Self::BadOverlap { way_out, .. } => Some(way_out.clone()),
             Self::Conflict { one, other, .. } => Some(format!("leave out {one} or {other}")),
             Self::Unstable(finding) => Some(finding.ways_out.join(", or ")),
+            Self::BadStart { why, .. } => {
+                why.split_once("way out: ").map(|(_, way_out)| way_out.to_owned())
+            }
             _ => None,
         }
     }

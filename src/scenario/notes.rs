@@ -29,7 +29,8 @@ impl Scenario {
             self.note_on_start(discs),
             self.note_on_lattice(),
         ];
-        before.into_iter().chain(findings).chain(after).flatten().collect()
+        let of_file = self.notes_on_file().iter().cloned().map(Some);
+        of_file.chain(before).chain(findings).chain(after).flatten().collect()
     }
 
     /// One line of all that the guide's own numbers bring with them, and who says more; of other presets how

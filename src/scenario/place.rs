@@ -136,9 +136,13 @@ impl Scenario {
             _ => return None,
         };
         let way_out = match (&self.discs, other) {
-            (DiscSource::Frame { .. }, _) => {
+            (DiscSource::Frame { are_named: true, .. }, _) => {
                 "an earlier frame, --start FILE:K; harder discs (--preset guide-listing, or a \
                  larger --kn) do not sink in so far"
+            }
+            (DiscSource::Frame { .. }, _) => {
+                "no heading names the columns of the file: if they are not x, y, r in this order, \
+                 --columns says which is what, as --columns x,y,-,r; else another frame, --start FILE:K"
             }
             (_, Some(_)) => "move the discs apart, or give them a smaller radius",
             (_, None) => "put it inside, between 0 and the side, or use a larger --side",

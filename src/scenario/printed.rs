@@ -60,7 +60,9 @@ impl Scenario {
         if !matches!(self.discs, DiscSource::Frame { .. }) {
             writeln!(out, "radius = {:?} # m", self.radius)?;
         }
-        writeln!(out, "mass = {:?} # kg", self.mass)?;
+        if !matches!(self.discs, DiscSource::Frame { has_masses: true, .. }) {
+            writeln!(out, "mass = {:?} # kg", self.mass)?;
+        }
         let way = if self.gravity.is_vertical() { "downward" } else { "y up" };
         writeln!(out, "gravity = {} # m/s2, {way}", self.gravity)?;
         writeln!(out, "kn = {:?} # N/m", self.stiffness)?;
@@ -91,8 +93,11 @@ impl Scenario {
     fn write_start(&self, out: &mut String) -> fmt::Result {
         writeln!(out)?;
         match &self.discs {
-            DiscSource::Frame { said, has_velocities, .. } => {
+            DiscSource::Frame { said, columns, has_velocities, .. } => {
                 writeln!(out, "start = {}", quoted(said))?;
+                if let Some(columns) = columns {
+                    writeln!(out, "columns = {}", quoted(&columns.to_string()))?;
+                }
                 if *has_velocities {
                     return Ok(());
                 }

@@ -12,6 +12,7 @@ use super::quantity::{
     whole_number,
 };
 use crate::echo;
+use crate::output::frames::layout::Layout;
 
 /// Declares the settings once; merges them field by field.
 macro_rules! settings {
@@ -132,6 +133,10 @@ settings! {
     /// Start from a frame file, at its last frame or at frame K (from 0)
     #[arg(long, value_name = "FILE[:K]", help_heading = "Start")]
     start: String,
+    /// What the columns of that file are, in their order: x, y, r, d (diameter), vx, vy, m, id, and - for
+    /// one to pass over [default: by its heading]
+    #[arg(long, value_name = "x,y,-,r", allow_hyphen_values = true, help_heading = "Start")]
+    columns: Layout,
 
     /// Folder for out.txt, trajectory.txt and energy.csv [default: .]
     #[arg(long, value_name = "DIR", help_heading = "Output")]
@@ -184,7 +189,7 @@ impl Settings {
             (file.walls, file.no_walls) = (None, None);
         }
         if self.start.is_some() || self.n.is_some() {
-            (file.start, file.n) = (None, None);
+            (file.start, file.columns, file.n) = (None, None, None);
             (file.discs, file.populations) = (Vec::new(), Vec::new());
         }
         if self.start.is_some() {

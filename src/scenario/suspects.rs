@@ -77,15 +77,17 @@ impl Scenario {
                 suspects.extend(self.groups(listed, groups));
                 suspects
             }
-            DiscSource::Frame { said, discs, has_velocities } => {
+            DiscSource::Frame { said, discs, .. } => {
                 let with = |change: fn(&mut Particle, &Self)| {
                     let changed = discs.iter().map(|mut disc| {
                         change(&mut disc, self);
                         disc
                     });
-                    let discs = Arc::new(changed.collect());
-                    let (said, has_velocities) = (said.clone(), *has_velocities);
-                    self.with_discs(DiscSource::Frame { said, discs, has_velocities })
+                    let mut source = self.discs.clone();
+                    if let DiscSource::Frame { discs, .. } = &mut source {
+                        *discs = Arc::new(changed.collect());
+                    }
+                    self.with_discs(source)
                 };
                 let suspect = |what: &str, usual: &str, mended| Suspect {
                     name: "--start".to_owned(),
@@ -95,9 +97,11 @@ impl Scenario {
                 };
                 let slower = with(|disc, _| disc.velocity = DVec2::ZERO);
                 let larger = with(|disc, this| disc.radius = disc.radius.max(this.radius));
+                let heavier = with(|disc, this| disc.mass = disc.mass.max(this.mass));
                 vec![
                     suspect("its fastest disc", "a frame with slower discs", slower),
                     suspect("its smallest disc", "a frame with larger discs", larger),
+                    suspect("its lightest disc", "a frame with heavier discs", heavier),
                 ]
             }
         }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
+use crate::output::frames::layout::Layout;
 use crate::scenario::Scenario;
 use crate::scenario::error::ScenarioError;
 use crate::scenario::preset::Preset;
@@ -53,11 +54,22 @@ pub enum Kind {
     Drift(EnergyArguments),
 }
 
+/// How a file of frames is read.
+#[derive(Args)]
+pub struct ReadingArguments {
+    /// What the columns of the file are, in their order: x, y, r, d (diameter), vx, vy, m, id, and - for one
+    /// to pass over [default: by its heading]
+    #[arg(long, value_name = "x,y,-,r", allow_hyphen_values = true)]
+    pub columns: Option<Layout>,
+}
+
 #[derive(Args)]
 pub struct FrameArguments {
     /// A file of frames: out.txt, trajectory.txt
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: ReadingArguments,
     /// Which frame, from 0 [default: the last]
     #[arg(long, value_name = "K")]
     pub frame: Option<usize>,
@@ -87,6 +99,8 @@ pub struct TrajectoryArguments {
     /// A file of frames: trajectory.txt
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: ReadingArguments,
     /// Write an animated GIF
     #[arg(long)]
     pub gif: bool,
@@ -133,6 +147,8 @@ pub struct VelocityArguments {
     /// A file of frames with velocities: trajectory.txt
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: ReadingArguments,
     /// Which frame, from 0 [default: the last]
     #[arg(long, value_name = "K")]
     pub frame: Option<usize>,
@@ -146,6 +162,8 @@ pub struct SpeedsArguments {
     /// A file of frames with velocities: trajectory.txt
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: ReadingArguments,
     /// Which frame, from 0 [default: the last]
     #[arg(long, value_name = "K")]
     pub frame: Option<usize>,
@@ -166,13 +184,15 @@ pub struct ForcesArguments {
     /// A file of frames: trajectory.txt
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub reading: ReadingArguments,
     /// Which frame, from 0 [default: the last]
     #[arg(long, value_name = "K")]
     pub frame: Option<usize>,
     /// The run's set of parameters [default: that of last-run.toml beside the file, or guide]
     #[arg(long, value_enum, value_name = "P", help_heading = "The run's contact law")]
     pub preset: Option<Preset>,
-    /// Mass of a disc, m [default: the run's]
+    /// Mass of a disc, m, where the file has no masses [default: the run's]
     #[arg(long, value_name = "KG", allow_hyphen_values = true)]
     #[arg(help_heading = "The run's contact law")]
     pub mass: Option<Quantity<Mass>>,

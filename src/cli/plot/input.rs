@@ -1,5 +1,6 @@
 //! The files that pictures are drawn from.
 
+use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -8,7 +9,10 @@ use super::error::PlotError;
 use super::progress::Progress;
 use crate::cli::Failure;
 use crate::cli::say::say;
-use crate::output::frames::{Frame, Frames};
+use crate::cli::typed::quoted;
+use crate::figure::gnuplot;
+use crate::output::frames::layout::Layout;
+use crate::output::frames::{Frame, Frames, Reading};
 use crate::output::place::plain_file;
 
 /// The one file of a picture that shows one.
@@ -80,21 +84,69 @@ pub(super) fn read_table<T>(
 pub struct FrameFile {
     /// Its path as said.
     pub path: PathBuf,
+    reading: Reading,
+    /// What has been said of it.
+    told: RefCell<Vec<String>>,
+    /// Whether gnuplot reads it as it was read here.
+    is_plain: Cell<bool>,
 }
 
 impl FrameFile {
     /// The file at `path`.
     pub fn named(path: &Path) -> Self {
-        Self { path: path.to_owned() }
+        Self::with_columns(path, None)
+    }
+
+    /// The same, with these columns if they are said by hand.
+    pub fn with_columns(path: &Path, columns: Option<Layout>) -> Self {
+        Self {
+            path: path.to_owned(),
+            reading: Reading { columns, format: None },
+            told: RefCell::default(),
+            is_plain: Cell::new(true),
+        }
+    }
+
+    /// Says once what is to be said of how the file was read.
+    fn tell(&self, frames: &Frames<BufReader<File>>) {
+        self.is_plain.set(self.is_plain.get() && frames.are_plain());
+        let mut told = self.told.borrow_mut();
+        for text in frames.remarks() {
+            if !told.contains(text) {
+                remark(&format!("{}: {text}", self.path.display()));
+                told.push(text.clone());
+            }
+        }
+    }
+
+    /// The `script` that draws the file in gnuplot, or one that says why gnuplot cannot.
+    pub fn script(&self, script: String) -> String {
+        if self.is_plain.get() {
+            return script;
+        }
+        let name = self.path.to_string_lossy();
+        let why = format!(
+            "gnuplot does not read {name} as x y r vx vy; a file that it reads: parsim2d convert {} frames.txt",
+            quoted(&name)
+        );
+        remark(&format!("{why}; until then the script beside the picture says only this"));
+        format!(
+            "# {}\nprint {}\nexit status 1\n",
+            why.replace(['\n', '\r'], " "),
+            gnuplot::quoted(&why)
+        )
     }
 
     fn frames(&self) -> Result<Frames<BufReader<File>>, PlotError> {
         let file = open(&self.path, "parsim2d")?;
-        Ok(Frames::of(BufReader::with_capacity(1 << 16, file)))
+        Ok(Frames::read_as(BufReader::with_capacity(1 << 16, file), &self.reading))
     }
 
     /// What is wrong with the file after `whole` good frames; `flag` names the last of these.
     fn bad(&self, why: &str, whole: usize, flag: &str) -> PlotError {
+        if let Some((why, way_out)) = why.split_once("\n  way out: ") {
+            return PlotError::bad_file(&self.path, why, way_out);
+        }
         let way_out = match (whole, advice(&self.path)) {
             (0, Some(advice)) if !advice.contains("frames") => advice.to_owned(),
             (0, _) => "a file of frames, as `parsim2d` writes: out.txt, trajectory.txt. Of a run that went \
@@ -125,16 +177,20 @@ impl FrameFile {
     pub fn frame(&self, wanted: Option<usize>) -> Result<(usize, Frame), Failure> {
         let progress = Progress::begin(None);
         let mut last = None;
-        for (index, frame) in self.frames()?.enumerate() {
+        let mut frames = self.frames()?;
+        for (index, frame) in frames.by_ref().enumerate() {
             let frame = frame.map_err(|why| self.bad(&why, index, "--frame"))?;
             progress.advance();
-            if wanted == Some(index) {
-                return Ok((index, frame));
-            }
+            let is_wanted = wanted == Some(index);
             last = Some((index, frame));
+            if is_wanted {
+                break;
+            }
         }
+        self.tell(&frames);
         match (wanted, last) {
             (None, Some(last)) => Ok(last),
+            (Some(k), Some(last)) if last.0 == k => Ok(last),
             (Some(k), Some((last, _))) => {
                 let why = format!("frame {k} was asked for; it holds frames 0 to {last}");
                 Err(PlotError::bad_file(&self.path, &why, &format!("--frame {last}")).into())
@@ -151,10 +207,12 @@ impl FrameFile {
     ) -> Result<(), Failure> {
         let wanted = until.map_or(usize::MAX, |last| last.saturating_add(1));
         let mut seen = 0;
-        for (index, frame) in self.frames()?.enumerate().take(wanted) {
+        let mut frames = self.frames()?;
+        for (index, frame) in frames.by_ref().enumerate().take(wanted) {
             see(index, frame.map_err(|why| self.bad(&why, index, "--until"))?)?;
             seen += 1;
         }
+        self.tell(&frames);
         match (seen, until) {
             (0, _) => Err(self.bad("it holds no frame", 0, "").into()),
             (_, Some(last)) if seen <= last => {

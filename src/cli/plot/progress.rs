@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A bar, or a count where the end is not known.
-pub(super) struct Progress {
+pub struct Progress {
     began: Instant,
     bar: ProgressBar,
     is_shown: Cell<bool>,

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Columns, Head};
+use super::text::{Columns, Head};
 use crate::output::number::push_g9;
 
 /// Text is handed on from so many bytes on: no less than any buffer behind holds, which need not copy it.
@@ -11,11 +11,12 @@ const TEXT: usize = 1 << 16;
 /// Discs are fetched so many at a time.
 const ROWS: usize = 256;
 
-/// More bytes than a row of five numbers takes.
+/// More bytes than a row of six numbers takes.
 const LONGEST_ROW: usize = 128;
 
-/// The column of the radius.
+/// The columns of the radius and the mass.
 const RADIUS: usize = 2;
+const MASS: usize = 5;
 
 /// Writes one frame: its `head`, then `rows` of these `columns`.
 pub fn write_rows<const N: usize>(
@@ -26,7 +27,7 @@ pub fn write_rows<const N: usize>(
 ) -> io::Result<()> {
     let mut text = Vec::with_capacity(TEXT + ROWS * LONGEST_ROW);
     head.push(&mut text, columns);
-    let mut radius = RadiusText::default();
+    let (mut radius, mut mass) = (SameText::default(), SameText::default());
     let mut some = Vec::with_capacity(ROWS);
     loop {
         // Rows lie anywhere in memory: fetched together, they are waited for together.
@@ -36,7 +37,7 @@ pub fn write_rows<const N: usize>(
             return out.write_all(&text);
         }
         for row in &some {
-            push_row_of_disc(&mut text, row, &mut radius);
+            push_row_of_disc(&mut text, row, &mut radius, &mut mass);
         }
         if text.len() >= TEXT {
             out.write_all(&text)?;
@@ -45,32 +46,38 @@ pub fn write_rows<const N: usize>(
     }
 }
 
-fn push_row_of_disc<const N: usize>(text: &mut Vec<u8>, row: &[f64; N], radius: &mut RadiusText) {
+fn push_row_of_disc<const N: usize>(
+    text: &mut Vec<u8>,
+    row: &[f64; N],
+    radius: &mut SameText,
+    mass: &mut SameText,
+) {
     for (column, &value) in row.iter().enumerate() {
         if column > 0 {
             text.push(b' ');
         }
         match column {
             RADIUS => text.extend_from_slice(radius.of(value)),
+            MASS => text.extend_from_slice(mass.of(value)),
             _ => push_g9(text, value),
         }
     }
     text.push(b'\n');
 }
 
-/// The text of a radius, kept for the next row, which nearly always has the same.
+/// The text of a radius or a mass, kept for the next row, which nearly always has the same.
 #[derive(Default)]
-struct RadiusText {
+struct SameText {
     bits: Option<u64>,
     text: Vec<u8>,
 }
 
-impl RadiusText {
-    fn of(&mut self, radius: f64) -> &[u8] {
-        if self.bits != Some(radius.to_bits()) {
-            self.bits = Some(radius.to_bits());
+impl SameText {
+    fn of(&mut self, value: f64) -> &[u8] {
+        if self.bits != Some(value.to_bits()) {
+            self.bits = Some(value.to_bits());
             self.text.clear();
-            push_g9(&mut self.text, radius);
+            push_g9(&mut self.text, value);
         }
         &self.text
     }
