@@ -35,6 +35,9 @@ const LEAST_STEPS: f64 = 8.0;
 /// The largest step of hard discs, or where gravity does not tell the time, frames.
 const LARGEST_PART: f64 = 0.1;
 
+/// Discs in flight that make a frame's time known.
+const WITNESSES: usize = 3;
+
 /// Fewer times between frames tell nothing.
 const FEWEST: usize = 10;
 
@@ -50,6 +53,8 @@ struct Clock {
     blur: Vec<f64>,
     /// Gravity, m a frame².
     pull: DVec2,
+    /// The largest step that is plausible, frames: nothing comes later or earlier.
+    largest: f64,
 }
 
 impl Film {
@@ -61,7 +66,11 @@ impl Film {
             long.map(|&run| (i, run)).collect::<Vec<_>>()
         };
         let runs: Vec<(usize, Run)> = flights.runs.iter().enumerate().flat_map(long).collect();
-        let mut clock = Clock::even(&self, flights.pull);
+        let seconds = flights.interval(rubric).filter(|_| rubric.law == Law::Spring);
+        let largest = seconds.map_or(LARGEST_PART, |interval| {
+            PI / (LEAST_STEPS * rubric.omega0(true) * interval)
+        });
+        let mut clock = Clock::even(&self, flights.pull, largest);
         let places: usize = runs.iter().map(|(_, run)| run.end + 1 - run.begin).sum();
         for round in 0..ROUNDS.min(MOST_WORK / places.max(1)).max(FIRST + 1) {
             if round == FIRST && !clock.gap().is_some_and(|gap| gap.is_seen) {
@@ -69,14 +78,8 @@ impl Film {
             }
             clock.adjust(&self, &runs);
         }
-        let Some(gap) = clock.gap().filter(|gap| gap.is_of_two).map(|gap| gap.part) else {
-            return self;
-        };
-        let seconds = flights.interval(rubric).filter(|_| rubric.law == Law::Spring);
-        let largest = seconds.map_or(LARGEST_PART, |interval| {
-            PI / (LEAST_STEPS * rubric.omega0(true) * interval)
-        });
-        if gap <= largest {
+        if let Some(gap) = clock.gap().filter(|gap| gap.is_of_two) {
+            clock.forget_what_is_not_known(gap.part);
             clock.set(&mut self, &runs);
         }
         self
@@ -126,9 +129,9 @@ impl Flight {
 }
 
 impl Clock {
-    fn even(film: &Film, pull: DVec2) -> Self {
+    fn even(film: &Film, pull: DVec2, largest: f64) -> Self {
         let frames = film.frames.len();
-        Self { late: vec![0.0; frames], blur: vec![f64::INFINITY; frames], pull }
+        Self { late: vec![0.0; frames], blur: vec![f64::INFINITY; frames], pull, largest }
     }
 
     fn time(&self, k: usize) -> f64 {
@@ -158,11 +161,14 @@ impl Clock {
             }
         }
         for (k, mut said) in said.into_iter().enumerate() {
+            let late = weighted_median(&mut said);
             let all: f64 = said.iter().map(|(_, weight)| weight).sum();
-            self.blur[k] = film.usual_blur() / all.max(f64::MIN_POSITIVE).sqrt();
-            if self.blur[k] < KNOWN {
-                self.late[k] += weighted_median(&mut said, all);
-            }
+            let digits = film.usual_blur() / all.max(f64::MIN_POSITIVE).sqrt();
+            let count = said.len();
+            said.iter_mut().for_each(|(value, _)| *value = (*value - late).abs());
+            let spread = 2.0 * weighted_median(&mut said) / (count as f64).sqrt();
+            self.blur[k] = if count < WITNESSES { f64::INFINITY } else { digits.max(spread) };
+            self.late[k] = (self.late[k] + late).clamp(-self.largest, self.largest);
         }
         if weight > 0.0 {
             self.pull += bend / weight;
@@ -180,9 +186,12 @@ impl Clock {
         }
         times.sort_by(f64::total_cmp);
         blurs.sort_by(f64::total_cmp);
-        // Without what a frame or two make of something that was met unseen.
-        let odd = times.len() / 40;
-        let times = &times[odd..times.len() - odd];
+        // Without what is made of something that was met unseen, or of frames that were lost.
+        let middle = times[times.len() / 2];
+        let [begin, end] = [-1.1, 1.1].map(|factor| {
+            times.partition_point(|&time| time < middle + factor * self.largest)
+        });
+        let (all, times) = (times.len(), &times[begin..end]);
         let [mut short, mut long] = [1, 19].map(|part| times[part * (times.len() - 1) / 20]);
         let mean = |some: &[f64]| some.iter().sum::<f64>() / some.len() as f64;
         for _ in 0..20 {
@@ -194,9 +203,17 @@ impl Clock {
         let part = long - short;
         let is_near = |time: &&f64| (*time - short).abs().min((*time - long).abs()) < 0.35 * part;
         let of_two = times.iter().filter(is_near).count();
-        if std::env::var("DBG").is_ok() { eprintln!("DBG n {} short {short} long {long} gap {part} of_two {} blur {} ", times.len(), of_two as f64/times.len() as f64, blurs[blurs.len()/2]); }
-        let is_seen = part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
+        let is_seen = 4 * times.len() > 3 * all && part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
         Some(Gap { part, is_seen, is_of_two: is_seen && 20 * of_two >= 17 * times.len() })
+    }
+
+    /// Leaves frames where they are of which too little is known.
+    fn forget_what_is_not_known(&mut self, gap: f64) {
+        for (late, blur) in self.late.iter_mut().zip(&self.blur) {
+            if *blur > 0.25 * gap {
+                *late = 0.0;
+            }
+        }
     }
 
     /// Puts discs where they were at even times.
@@ -225,15 +242,14 @@ impl Clock {
     }
 }
 
-/// The median of values with weights, which make up so much together.
-fn weighted_median(said: &mut [(f64, f64)], all: f64) -> f64 {
+/// The median of values with weights; 0 of nothing.
+fn weighted_median(said: &mut [(f64, f64)]) -> f64 {
     said.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let all: f64 = said.iter().map(|(_, weight)| weight).sum();
     let mut below = 0.0;
-    for (value, weight) in said.iter() {
+    let is_middle = |(_, weight): &&(f64, f64)| {
         below += weight;
-        if below >= 0.5 * all {
-            return *value;
-        }
-    }
-    0.0
+        below >= 0.5 * all
+    };
+    said.iter().find(is_middle).map_or(0.0, |(value, _)| *value)
 }
