@@ -7,6 +7,7 @@
 
 pub mod bounce;
 pub mod check;
+pub mod clock;
 pub mod collision;
 pub mod delay;
 pub mod digits;
@@ -116,6 +117,7 @@ pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Optio
     report.decide(Check::Discs, || discs::kept(&film, asked));
     // What follows measures with true radii, whatever was printed.
     let film = film.before_it_ran_wild().with_true_radii(rubric);
+    let film = if report.passed(Check::Discs) { film.evenly_timed(rubric) } else { film };
     let as_written = film.failure_as_written(Check::Radii);
     report.decide(Check::Radii, || as_written.unwrap_or_else(|| discs::radii(&film, rubric)));
     if report.passed(Check::Discs) {

@@ -1,8 +1,10 @@
 //! A submission marked: built and run in the workshop, judged by physics, and made into a sheet.
 //!
 //! Reading order: this file (one submission from folder to sheet), [`program`] (what the rubric says of
-//! building and running), `runs` (what a run's end means), `quality` (warnings, sanitizer), `interface` (unit tests).
+//! building and running), `runs` (what a run's end means), `quality` (warnings, sanitizer), `flags` (the submission's own, for
+//! these), `interface` (unit tests).
 
+mod flags;
 mod interface;
 pub mod program;
 mod quality;
@@ -12,6 +14,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use self::flags::Flags;
 use self::interface::interface;
 use self::program::Course;
 use self::quality::{sanitizer, warnings};
@@ -102,10 +105,11 @@ impl Marker<'_> {
         }
         let verdict = interface(self, folder)?;
         graded.report.decide(Check::Interface, || verdict);
-        let verdict = warnings(self, folder, &made)?;
+        let flags = Flags::of(&made, &self.course.build, &self.course.limits())?;
+        let verdict = warnings(self, folder, &made, &flags)?;
         graded.report.decide(Check::Warnings, || verdict);
         if graded.report.passed(Check::Runs) {
-            let verdict = sanitizer(self, folder)?;
+            let verdict = sanitizer(self, folder, &flags)?;
             graded.report.decide(Check::Sanitizer, || verdict);
         }
         Ok(())

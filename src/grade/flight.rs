@@ -68,6 +68,11 @@ impl Flights {
         again
     }
 
+    /// All of them, whether frames are equally far apart or not.
+    pub fn plain(film: &Film, rubric: &Rubric) -> Self {
+        Self::between(film, &near::usable(film, &[]), rubric)
+    }
+
     fn between(film: &Film, usable: &[bool], rubric: &Rubric) -> Self {
         let mut flights = Self {
             near: Vec::new(),

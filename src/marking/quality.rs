@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use super::Marker;
+use super::flags::Flags;
 use crate::grade::verdict::{Failure, Status};
 use crate::workshop::{Closed, Limits, Made, Step};
 
@@ -13,11 +14,16 @@ const FRAMES: usize = 40;
 /// What is kept of a log for a student, lines.
 const LINES: usize = 12;
 
-/// Whether the compiler warns; `made` is the usual build.
-pub(super) fn warnings(marker: &Marker, folder: &Path, made: &Made) -> Result<Status, Closed> {
+/// Whether the compiler warns; `made` is the usual build, `flags` are its own.
+pub(super) fn warnings(
+    marker: &Marker,
+    folder: &Path,
+    made: &Made,
+    flags: &Flags,
+) -> Result<Status, Closed> {
     let mut built = made.build.clone().filter(|_| marker.course.warnings.is_empty());
     for command in &marker.course.warnings {
-        let again = marker.make(folder, &with_sources(command, folder))?.build;
+        let again = marker.make(folder, &flags.added_to(&with_sources(command, folder)))?.build;
         // A Makefile may know better than to listen; then its log does not have the word.
         built = again.filter(|build| build.outcome.is_success() && is_told(build, command));
         if built.is_some() {
@@ -57,9 +63,9 @@ fn with_sources(command: &[String], folder: &Path) -> Vec<String> {
 }
 
 /// Whether a run with sanitizers finds something.
-pub(super) fn sanitizer(marker: &Marker, folder: &Path) -> Result<Status, Closed> {
+pub(super) fn sanitizer(marker: &Marker, folder: &Path, flags: &Flags) -> Result<Status, Closed> {
     for command in &marker.course.sanitizer {
-        let made = marker.make(folder, &with_sources(command, folder))?;
+        let made = marker.make(folder, &flags.added_to(&with_sources(command, folder)))?;
         let is_built = made.build.as_ref().is_some_and(|build| build.outcome.is_success());
         if is_built && has_sanitizer(&made, marker.course.run.first()) {
             return run_with_sanitizer(marker, &made);
