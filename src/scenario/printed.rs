@@ -162,7 +162,7 @@ impl Settings {
         self.preset.is_some()
             && self.seed.is_some()
             && self.side.is_some()
-            && self.mass.is_some()
+            && (self.mass.is_some() || self.start.is_some()) // a frame may bring masses
             && self.gravity.is_some()
             && self.kn.is_some()
             && dampings.contains(&true)
