@@ -206,11 +206,13 @@ fn fastest_of_two(masses: [f64; 2], radii: [f64; 2], side: f64) -> f64 {
     let reach = radii[0] + radii[1] - depth;
     for k in 0..=60 {
         let direction = DVec2::from_angle(std::f64::consts::FRAC_PI_2 * f64::from(k) / 60.0);
-        // One in a corner, the other along the line; and the other way round.
+        // One in a corner or on the floor, the other along the line; and the other way round.
         for here in 0..2 {
-            let corner = DVec2::splat(radii[here] - depth);
-            let places = [corner, corner + reach * direction];
-            look(places[here], places[1 - here]);
+            let low = radii[here] - depth;
+            for first in [DVec2::splat(low), DVec2::new(0.5 * side, low)] {
+                let places = [first, first + reach * direction];
+                look(places[here], places[1 - here]);
+            }
         }
     }
     for here in 0..2 {
@@ -295,7 +297,7 @@ fn a_stack_of_two_holds_below_the_limit_and_explodes_above() {
         let law = law(damping);
         let radii = [RADIUS; 2];
         let limit = TwoAtWalls { masses, radii, side: 0.04 }.limit(&law);
-        for (factor, grows) in [(0.999, false), (1.001, true)] {
+        for (factor, grows) in [(0.99, false), (1.01, true)] {
             // Pressed to the floor 1 % of a radius deep, and moved a hair: no contact opens.
             let depth = 0.01 * RADIUS;
             let push = STIFFNESS * depth / masses.iter().sum::<f64>();
@@ -310,12 +312,12 @@ fn a_stack_of_two_holds_below_the_limit_and_explodes_above() {
             let (discs, gravity) = (discs.to_vec(), DVec2::new(0.0, -push));
             let integrator = Box::new(SymplecticEuler);
             let mut run = Simulation::new(discs, gravity, forces, integrator, factor * limit);
-            (0..400).for_each(|_| run.step());
+            (0..1000).for_each(|_| run.step());
             let fastest =
                 run.particles().iter().map(|disc| disc.velocity.length()).fold(0.0, f64::max);
-            // Above by 0.001 a mode grows by e in 1/(2 sqrt(0.002)) = 11 steps or sooner; below it beats.
+            // Above by 0.01 the mode grows by 1 % a step or more; below it beats, or is damped.
             assert_eq!(
-                fastest > 1e4 * start,
+                fastest > 1e3 * start,
                 grows,
                 "{masses:?} {damping:?} {factor}: {fastest} {start}"
             );
