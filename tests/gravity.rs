@@ -119,7 +119,8 @@ fn theory_stands_beside_a_bounce_under_tilted_gravity() {
     )
     .unwrap();
     let output = outcome(folder.path(), "tilted.toml --json");
-    let summary: Value = serde_json::from_slice(&output.stdout).expect(&text(&output.stderr));
+    let summary: Value = serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|_| panic!("{}", text(&output.stderr)));
     let rows = summary["answer"]["rows"].as_array().unwrap();
     for what in ["largest overlap", "contact time", "restitution"] {
         let row = rows.iter().find(|row| row["what"].as_str().unwrap().starts_with(what)).unwrap();

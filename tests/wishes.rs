@@ -1,5 +1,6 @@
 //! Small promises to the user: what is not there is said to be not there, times have digits, a full lattice
 //! is offered what fits, discs are thrown without a common motion.
+#![allow(clippy::too_many_lines)] // tables of cases
 
 use crate::support::runs::{outcome, parsim2d, text};
 use glam::DVec2;
