@@ -264,6 +264,7 @@ fn lattice_order(particles: &[Particle], generator: &mut Pcg64) -> Vec<usize> {
 /// ```
 /// // The guide's larger discs, which must not touch: 46 staggered rows of 39.
 /// assert_eq!(parsim2d::placement::lattice_capacity(5e-4, 0.04), 46 * 39);
+/// assert_eq!(parsim2d::placement::lattice_capacity(1e-300, 1.0), usize::MAX); // more than can be said
 /// ```
 pub fn lattice_capacity(radius: f64, side: f64) -> usize {
     let (room, tight) = (side - 2.0 * radius, 2.0 * radius * (1.0 + 1e-6));
@@ -285,7 +286,7 @@ enum Lattice {
 
 /// Sites of a row that begins at `left`.
 fn columns(left: f64, spacing: f64, room: f64) -> usize {
-    if left > room { 0 } else { ((room - left) / spacing) as usize + 1 }
+    if left > room { 0 } else { (((room - left) / spacing) as usize).saturating_add(1) }
 }
 
 impl Lattice {
@@ -300,8 +301,9 @@ impl Lattice {
     /// How many [`sites`](Self::sites) there are.
     fn count(self, spacing: f64, room: f64) -> usize {
         let (rise, shift) = self.rise_and_shift(spacing);
-        let rows = (room / rise) as usize + 1;
-        rows.div_ceil(2) * columns(0.0, spacing, room) + rows / 2 * columns(shift, spacing, room)
+        let rows = ((room / rise) as usize).saturating_add(1);
+        let of = |rows: usize, left: f64| rows.saturating_mul(columns(left, spacing, room));
+        of(rows.div_ceil(2), 0.0).saturating_add(of(rows / 2, shift))
     }
 
     /// Sites `spacing` apart in a square of side `room`, row by row from the origin.

@@ -17,6 +17,7 @@ pub mod gravity;
 pub mod judgement;
 pub mod notes;
 mod number;
+mod output_choices;
 mod overlap;
 mod place;
 pub mod post_mortem;
@@ -31,7 +32,7 @@ pub mod study;
 mod suspects;
 pub mod wished;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use glam::DVec2;
@@ -39,6 +40,7 @@ use glam::DVec2;
 use self::error::ScenarioError;
 use self::framed::FramedDiscs;
 use self::gravity::Gravity;
+pub use self::output_choices::OutputChoices;
 use self::preset::Preset;
 use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
@@ -49,8 +51,6 @@ use crate::force::{Contacts, HalfPlane, Walls};
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
 use crate::neighbours::Neighbours;
 use crate::output::frames::layout::Layout;
-use crate::output::recorder::OutputPlan;
-use crate::output::{energy, trajectory};
 use crate::particle::{Damping, Particle, SpringDashpot};
 use crate::simulation::{Simulation, time_step};
 
@@ -186,29 +186,6 @@ pub struct Population {
     pub speed: f64,
 }
 
-/// What is written, where and how often.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OutputChoices {
-    /// Folder of the output files.
-    pub folder: PathBuf,
-    /// Steps between frames, if said.
-    pub every: Option<u64>,
-    /// Steps between ledger lines, if said; 0 for none.
-    pub energy_every: Option<u64>,
-    /// Wall seconds for a simulated second, if said.
-    pub slowdown: Option<f64>,
-    /// Threads that share the steps, if said.
-    pub threads: Option<usize>,
-    /// Seconds of wall time between checkpoints, if said.
-    pub checkpoint_every: Option<f64>,
-    /// Whether `out.txt` has the guide's border discs.
-    pub border: bool,
-    /// Summary as JSON.
-    pub json: bool,
-    /// Nothing but errors.
-    pub quiet: bool,
-}
-
 impl Scenario {
     /// A scenario from the text of a scenario file; seed 0 if it does not say one.
     ///
@@ -323,31 +300,6 @@ impl Scenario {
     /// Number of steps: `time / dt`, rounded.
     pub fn steps(&self) -> u64 {
         (self.time / self.dt()).round() as u64
-    }
-
-    /// What to write where and how often, with the defaults filled in. The record is that of this
-    /// scenario; of the discs of a frame that cannot be placed there is none.
-    pub fn output_plan(&self) -> OutputPlan {
-        let record = match &self.discs {
-            DiscSource::Frame { .. } => self.place().map(|discs| self.record(&discs)),
-            _ => Ok(self.record(&[])), // it says how to place them
-        };
-        self.output_plan_with(record.unwrap_or_default())
-    }
-
-    /// The same with this text as the record of the run; none is kept if it is empty.
-    pub fn output_plan_with(&self, record: String) -> OutputPlan {
-        let (n, steps, output) = (self.n(), self.steps(), &self.output);
-        let frame_every = output.every.unwrap_or_else(|| trajectory::default_every(n, steps));
-        OutputPlan {
-            folder: output.folder.clone(),
-            frame_every,
-            live_follows_frames: output.every.is_some(),
-            energy_every: output.energy_every.unwrap_or_else(|| energy::default_every(steps)),
-            side: self.side,
-            border: output.border.then_some(self.radius),
-            record,
-        }
     }
 
     /// Gravity as a vector, m/s2.

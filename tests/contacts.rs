@@ -222,16 +222,18 @@ fn an_oblique_contact_changes_only_the_normal_velocity() {
     assert!(momentum.length() < 1e-12, "{momentum}");
 }
 
-/// Restitution of one contact with N_t = `steps`, the worst of sixteen phases against `e`.
+/// How far restitution is off `e` with N_t of `steps` to `steps` + 1: the worst over phases of the touch in a
+/// step and parts of a step in a contact, which the golden section spreads evenly.
 fn worst_restitution(integrator: NewIntegrator, damping: Damping, steps: f64, e: f64) -> f64 {
     let omega0 = angular_frequency(STIFFNESS, MASS);
-    let (speed, dt) = (0.5, std::f64::consts::PI / (omega0 * steps));
-    let off = |phase: f64| {
+    let off = |k: u32| {
+        let (phase, part) = (f64::from(k) / 48.0, (0.618_034 * f64::from(k)).fract());
+        let (speed, dt) = (0.5, std::f64::consts::PI / (omega0 * (steps + part)));
         let mut run = Meeting::Wall.begin(law(damping), integrator, phase * speed * dt, speed, dt);
         (0..(1.6 * steps) as usize).for_each(|_| run.step());
         (-Meeting::Wall.approach_speed(&run) / speed - e).abs()
     };
-    (0..16).map(|k| off(f64::from(k) / 16.0)).fold(0.0, f64::max)
+    (0..48).map(off).fold(0.0, f64::max)
 }
 
 #[test]
@@ -240,14 +242,14 @@ fn a_dashpot_makes_velocity_verlet_of_first_order_as_eq_3() {
         for (e, expected) in [(1.0, 2.0), (0.9, 1.0), (0.3, 1.0), (0.1, 1.0)] {
             let damping = Damping::Ratio(damping_ratio_for(e, ContactEnd::OverlapZero));
             let error = |steps: f64| worst_restitution(integrator, damping, steps, e);
-            let order = (error(400.5) / error(3200.5)).log2() / (3200.5f64 / 400.5).log2();
-            // The next order is a few per cent at 400 steps.
+            let order = (error(400.0) / error(3200.0)).log2() / 3.0;
+            // The next order, and what 48 samples miss of the worst, are some per cent.
             assert!((order - expected).abs() < 0.1, "{name}, e = {e}: order {order:.3}");
         }
     }
     // To the digit the same: half a kick apart they are one trajectory, and free flight has no kick.
     let damping = Damping::Ratio(damping_ratio_for(0.3, ContactEnd::OverlapZero));
-    let [one, other] = [0, 2].map(|k| worst_restitution(INTEGRATORS[k].1, damping, 50.5, 0.3));
+    let [one, other] = [0, 2].map(|k| worst_restitution(INTEGRATORS[k].1, damping, 50.0, 0.3));
     assert!((one - other).abs() < 1e-12 && one > 1e-3, "{one} {other}");
 }
 
@@ -270,32 +272,5 @@ fn a_damped_head_on_meeting_with_velocity_verlet_has_its_known_restitution() {
         // The diagnosis tells what comes out, over the phases: within the scatter of these, 2e-3.
         let told = scenario.stepped_restitution(&scenario.expected_pair()).unwrap();
         assert!((told - e).abs() < 2e-3, "{name}: {told} {e}");
-    }
-}
-
-#[test]
-#[ignore]
-fn scratch_energy_after() {
-    for (meeting, t) in [(Meeting::Wall, 50.0), (Meeting::Pair, 50.0 / 2f64.sqrt())] {
-        for nt in [t, t + 0.25, t + 0.5] {
-            let mut worst = 0.0f64;
-            let mut sum = 0.0;
-            for k in 0..1000 {
-                let omega0 = angular_frequency(STIFFNESS, meeting.reduced_mass());
-                let dt = std::f64::consts::PI / (omega0 * nt);
-                let mut run = meeting.begin(
-                    law(ELASTIC),
-                    INTEGRATORS[0].1,
-                    f64::from(k) / 1000.0 * 0.5 * dt,
-                    0.5,
-                    dt,
-                );
-                (0..80).for_each(|_| run.step());
-                let e = (meeting.approach_speed(&run) / 0.5).powi(2) - 1.0;
-                worst = worst.max(e.abs());
-                sum += e.abs();
-            }
-            println!("{meeting:?} {nt} {worst:e} mean {:e}", sum / 1000.0);
-        }
     }
 }

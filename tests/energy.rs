@@ -71,6 +71,27 @@ fn energy_error_inside_a_contact_has_the_known_size() {
 }
 
 #[test]
+fn what_is_left_after_an_elastic_contact_is_at_most_a_quarter_of_omega_dt_squared() {
+    // README: with N_t = 50 at most 1e-3 at a wall, 2e-3 for a pair, whose contact is sqrt 2 shorter.
+    for (meeting, rounded) in [(Meeting::Wall, 1e-3), (Meeting::Pair, 2e-3)] {
+        let shorter = (meeting.reduced_mass() / MASS).sqrt();
+        let bound = (std::f64::consts::PI / (50.0 * shorter)).powi(2) / 4.0;
+        assert!(bound < rounded && bound > 0.95 * rounded, "{meeting:?}: {bound}");
+        let after = |nt: f64, k: u32| {
+            errors(meeting, INTEGRATORS[0].1, nt * shorter, f64::from(k) / 64.0).0.abs()
+        };
+        let worst = |nt: f64| (0..64).map(|k| after(nt, k)).fold(0.0, f64::max);
+        // A part of a step in a contact matters: from a little above 50 to one step more.
+        let most = (0..16).map(|k| worst(50.0 + f64::from(k) / 16.0)).fold(0.0, f64::max);
+        assert!((0.9 * bound..1.01 * bound).contains(&most), "{meeting:?}: {most} {bound}");
+        if meeting == Meeting::Pair {
+            let worst = worst(50.0);
+            assert!((worst - 1.78e-3).abs() < 3e-5, "{worst}"); // of 1000 phases 1.784e-3
+        }
+    }
+}
+
+#[test]
 fn velocity_verlet_ends_an_elastic_contact_with_the_energy_of_eq_3() {
     // Started half a kick apart they are the same trajectory; without force before and after the
     // contact that half kick is nothing. Equal to rounding of 50 steps.

@@ -187,52 +187,51 @@ fn beds_of_unequal_discs_stay_below_the_rule() {
     }
 }
 
-/// Two discs in a box at every place where they touch, each at up to two walls: the fastest of all their
-/// vibrations, omega²/k_n.
+/// Places where two discs of these radii touch, pressed together and to walls by `depth` (m), the one of
+/// them in a corner, on the floor or at the left wall, and the other anywhere around it.
+fn touching_places(radii: [f64; 2], side: f64, depth: f64) -> Vec<[DVec2; 2]> {
+    let reach = radii[0] + radii[1] - depth;
+    let mut places = Vec::new();
+    for here in 0..2 {
+        let (low, high) = (radii[here] - depth, radii[1 - here] - depth);
+        let mut place = |first: DVec2, second: DVec2| {
+            places.push(if here == 0 { [first, second] } else { [second, first] });
+        };
+        let corner = DVec2::splat(low);
+        for first in [corner, DVec2::new(0.5 * side, low)] {
+            for k in 0..=60 {
+                let angle = std::f64::consts::FRAC_PI_2 * f64::from(k) / 60.0;
+                place(first, first + reach * DVec2::from_angle(angle));
+            }
+            // Both on one floor.
+            let along = (reach * reach - (high - low) * (high - low)).sqrt();
+            place(first, DVec2::new(first.x + along, high));
+        }
+        // From wall to wall.
+        let across = side - radii[0] - radii[1] + 2.0 * depth;
+        if across < reach {
+            let up = (reach * reach - across * across).sqrt();
+            place(corner, corner + DVec2::new(across, up));
+        }
+    }
+    places
+}
+
+/// The fastest vibration of two discs in a box wherever they touch, omega²/k_n.
 fn fastest_of_two(masses: [f64; 2], radii: [f64; 2], side: f64) -> f64 {
     let planes = HalfPlane::square(side);
     let depth = 1e-7 * radii[0].min(radii[1]); // what counts as a touch
-    let mut fastest = 0.0_f64;
-    let inside = |radius: f64, at: DVec2| {
+    let is_inside = |radius: f64, at: DVec2| {
         at.min_element() > radius - 2.0 * depth && at.max_element() < side - radius + 2.0 * depth
     };
-    let mut look = |first: DVec2, second: DVec2| {
-        if inside(radii[0], first) && inside(radii[1], second) {
-            let discs =
-                [(first, 0), (second, 1)].map(|(at, k)| Particle::at_rest(at, radii[k], masses[k]));
-            fastest = fastest.max(fastest_lambda(&discs, &planes));
-        }
-    };
-    let reach = radii[0] + radii[1] - depth;
-    for k in 0..=60 {
-        let direction = DVec2::from_angle(std::f64::consts::FRAC_PI_2 * f64::from(k) / 60.0);
-        // One in a corner, the other along the line; and the other way round.
-        for here in 0..2 {
-            let corner = DVec2::splat(radii[here] - depth);
-            let places = [corner, corner + reach * direction];
-            look(places[here], places[1 - here]);
-        }
-    }
-    for here in 0..2 {
-        let there = 1 - here;
-        // Both on one floor, the one in the corner or in the middle; and from wall to wall.
-        let (low, high) = (radii[here] - depth, radii[there] - depth);
-        let along = (reach * reach - (high - low) * (high - low)).sqrt();
-        for left in [low, 0.3 * side] {
-            let mut places = [DVec2::ZERO; 2];
-            (places[here], places[there]) = (DVec2::new(left, low), DVec2::new(left + along, high));
-            look(places[0], places[1]);
-        }
-        let across = side - radii[here] - radii[there] + 2.0 * depth;
-        if across < reach {
-            let up = (reach * reach - across * across).sqrt();
-            let mut places = [DVec2::ZERO; 2];
-            places[here] = DVec2::splat(low);
-            places[there] = places[here] + DVec2::new(across, up);
-            look(places[0], places[1]);
-        }
-    }
-    fastest
+    let places = touching_places(radii, side, depth).into_iter();
+    let inside =
+        places.filter(|[one, other]| is_inside(radii[0], *one) && is_inside(radii[1], *other));
+    let lambdas = inside.map(|places| {
+        let discs = [0, 1].map(|k| Particle::at_rest(places[k], radii[k], masses[k]));
+        fastest_lambda(&discs, &planes)
+    });
+    lambdas.fold(0.0, f64::max)
 }
 
 #[test]
@@ -249,7 +248,8 @@ fn two_discs_at_walls_vibrate_as_fast_as_the_rule_says_and_no_faster() {
         ([2.0, 1.0], [1.0, 9.0], 60.0),
         ([1.0, 1.0], [1.0, 1.0], 3.9), // from wall to wall
         ([1.0, 2.0], [1.0, 1.3], 4.3),
-        ([1.0, 1.0], [1.0, 1.0], 3.45), // in opposite corners, nearly
+        ([1.0, 1.0], [1.0, 1.0], 3.45),  // in opposite corners, nearly
+        ([1.0, 30.0], [1.0, 9.0], 19.0), // too narrow for the small one to stand under the large one
     ] {
         let seen = fastest_of_two(masses, radii, side);
         let two = TwoAtWalls { masses, radii, side };
@@ -295,7 +295,7 @@ fn a_stack_of_two_holds_below_the_limit_and_explodes_above() {
         let law = law(damping);
         let radii = [RADIUS; 2];
         let limit = TwoAtWalls { masses, radii, side: 0.04 }.limit(&law);
-        for (factor, grows) in [(0.999, false), (1.001, true)] {
+        for (factor, grows) in [(0.99, false), (1.01, true)] {
             // Pressed to the floor 1 % of a radius deep, and moved a hair: no contact opens.
             let depth = 0.01 * RADIUS;
             let push = STIFFNESS * depth / masses.iter().sum::<f64>();
@@ -310,12 +310,12 @@ fn a_stack_of_two_holds_below_the_limit_and_explodes_above() {
             let (discs, gravity) = (discs.to_vec(), DVec2::new(0.0, -push));
             let integrator = Box::new(SymplecticEuler);
             let mut run = Simulation::new(discs, gravity, forces, integrator, factor * limit);
-            (0..400).for_each(|_| run.step());
+            (0..1000).for_each(|_| run.step());
             let fastest =
                 run.particles().iter().map(|disc| disc.velocity.length()).fold(0.0, f64::max);
-            // Above by 0.001 a mode grows by e in 1/(2 sqrt(0.002)) = 11 steps or sooner; below it beats.
+            // Above by 0.01 the mode grows by 1 % a step or more; below it beats, or is damped.
             assert_eq!(
-                fastest > 1e4 * start,
+                fastest > 1e3 * start,
                 grows,
                 "{masses:?} {damping:?} {factor}: {fastest} {start}"
             );

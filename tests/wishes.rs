@@ -1,5 +1,6 @@
 //! Small promises to the user: what is not there is said to be not there, times have digits, a full lattice
 //! is offered what fits, discs are thrown without a common motion.
+#![allow(clippy::too_many_lines)] // tables of cases
 
 use crate::support::runs::{outcome, parsim2d, text};
 use glam::DVec2;
@@ -64,7 +65,7 @@ fn a_run_of_microseconds_says_how_long_it_was() {
     assert!(text(&output.stdout).contains("100 steps to t = 1.00000e-6 s\n"));
     assert!(outcome(folder.path(), "plot trajectory trajectory.txt").status.success());
     let picture = std::fs::read_to_string(folder.path().join("trajectory.svg")).unwrap();
-    assert!(picture.contains("t = 1.000e-6 s") && picture.contains("t = 0.0000 s"));
+    assert!(picture.contains("t = 1.000e-6 s"));
 }
 
 #[test]

@@ -29,7 +29,7 @@ use crate::simulation::Simulation;
 pub struct MechanicalEnergy {
     /// Sum of m v²/2.
     pub kinetic: f64,
-    /// Sum of m g y, zero at the floor.
+    /// Sum of -m g . x, zero at the origin: m g y where gravity points down.
     pub gravitational: f64,
     /// Sum of k_n delta_n²/2 over all contacts, and what other forces store.
     pub elastic: f64,

@@ -251,7 +251,7 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
 /// flags must say the law; what they leave open is told.
 fn law_beside(file: &FrameFile, frame: &Frame, arguments: &ForcesArguments) -> Option<Settings> {
     let record = file.path.with_file_name(record::FILE);
-    let told = Told::read(&record).and_then(|told| told.of(frame, false));
+    let told = Told::read(&record).and_then(|told| told.of(frame, arguments.frame.is_none()));
     let why = match told {
         Ok(Told { said: Ok((settings, _)), .. }) => return Some(settings),
         Ok(Told { said: Err(why), .. }) => why.to_string(),

@@ -141,7 +141,8 @@ fn of_folder(folder: &Path) -> Refusal {
         let path = folder.join(name);
         path.is_file().then(|| quoted(&shown(&path)))
     };
-    let way_out = match (names(checkpoint::FILE), names(record::FILE)) {
+    let record = names(record::FILE).filter(|_| record::is_there(folder));
+    let way_out = match (names(checkpoint::FILE), record) {
         (Some(checkpoint), _) => {
             format!("to go on with the run there: parsim2d resume {checkpoint}")
         }

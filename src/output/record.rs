@@ -22,6 +22,11 @@ pub fn is_one(text: &str) -> bool {
     text.starts_with("# parsim2d ")
 }
 
+/// Whether `folder` holds the record of a run.
+pub fn is_there(folder: &Path) -> bool {
+    std::fs::read_to_string(folder.join(FILE)).is_ok_and(|text| is_one(&text))
+}
+
 /// Whether `folder` holds a file of this name that no run has written: somebody's own. An empty one is
 /// nobody's loss.
 pub fn is_foreign(folder: &Path) -> bool {

@@ -127,7 +127,8 @@ settings! {
     /// How discs are placed [default: random]
     #[arg(long, value_enum, value_name = "NAME", help_heading = "Start")]
     placement: PlacementName,
-    /// Rms speed at the start of discs placed by the program, in random directions [default: 0]
+    /// Rms speed at the start of discs placed by the program, in random directions and with no momentum of
+    /// all, where they are two or more [default: 0]
     #[arg(long, value_name = "M/S", allow_hyphen_values = true, help_heading = "Start")]
     speed: Quantity<Speed>,
     /// Start from a frame file, at its last frame or at frame K (from 0)
@@ -223,7 +224,7 @@ pub struct PopulationSettings {
     pub radius: Option<Quantity<Length>>,
     /// Mass.
     pub mass: Option<Quantity<Mass>>,
-    /// Rms speed, in random directions.
+    /// Rms speed, in random directions; of two or more without a common motion.
     pub speed: Option<Quantity<Speed>>,
 }
 
@@ -277,7 +278,7 @@ pub enum IntegratorName {
     SymplecticEuler,
     /// The old velocity moves the disc: gains energy at every bounce
     ExplicitEuler,
-    /// Two half-kicks around a drift
+    /// Two half-kicks around a drift: second order, with a dashpot first
     VelocityVerlet,
 }
 

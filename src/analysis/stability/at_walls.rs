@@ -6,8 +6,8 @@
 //!
 //! What counts of a wall contact is how much of the line of centres lies along it: p² = 1 for a disc
 //! whose walls hold it along the whole line (a wall across it, or a corner), less for a slanting one.
-//! Only what can occur counts: a disc in a corner and the other on it; two unequal discs on one floor;
-//! and, in a box too narrow for two abreast, discs that reach from wall to wall.
+//! Only what can occur counts: a disc at a wall and the other straight on it; two unequal discs on one
+//! floor, one of them in the corner; and, in a box too narrow for two abreast, discs from wall to wall.
 
 use crate::particle::SpringDashpot;
 
@@ -55,7 +55,20 @@ impl TwoAtWalls {
     fn ways(&self) -> Vec<[f64; 2]> {
         let [r, s] = self.radii;
         let reach = r + s;
-        let mut ways = vec![[1.0, 0.0], [0.0, 1.0]]; // one in a corner, the other on it
+        let across = (self.side - reach) / reach; // of the line of centres, from wall to wall
+        let mut ways = Vec::new();
+        if across >= 1.0 {
+            ways.extend([[1.0, 0.0], [0.0, 1.0]]); // one at a wall, the other straight on it
+        } else if 2.0 * across * across > 1.0 {
+            // From wall to wall; one of them in a corner, if the other, beside it, clears the floor.
+            let held = across * across;
+            let up = reach * (1.0 - held).sqrt();
+            ways.push([held, held]);
+            ways.extend((r + up >= s).then_some([1.0, held]));
+            ways.extend((s + up >= r).then_some([held, 1.0]));
+        } else {
+            ways.push([1.0, 1.0]); // pressed into opposite corners
+        }
         // Both on one floor: the line of centres rises by s - r. Beside the larger one in its corner
         // there is room; the smaller one in the corner touches the larger only if that can come near.
         let rise = ((s - r) / reach).powi(2);
@@ -65,12 +78,6 @@ impl TwoAtWalls {
             if along_floor + r.min(s) >= r.max(s) {
                 ways.push(if r < s { [1.0, rise] } else { [rise, 1.0] });
             }
-        }
-        // From wall to wall.
-        let across = (self.side - reach) / reach;
-        if across <= 1.0 {
-            let across = if 2.0 * across * across <= 1.0 { 1.0 } else { across * across };
-            ways.extend([[1.0, across], [across, 1.0]]); // 1: in opposite corners
         }
         ways
     }

@@ -103,8 +103,7 @@ fn other(file: &Path) -> Option<Other> {
 /// How to run the scenario of `folder` again; `is_whole` says whether its checkpoint can be read.
 fn again(folder: &Path, is_whole: bool) -> String {
     let path = folder.join(record::FILE);
-    let is_there = path.is_file() && !record::is_foreign(folder);
-    match (is_there, is_whole) {
+    match (record::is_there(folder), is_whole) {
         (true, _) => {
             format!("run the scenario again: parsim2d {} --out-dir again", quoted(&shown(&path)))
         }
