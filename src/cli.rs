@@ -135,7 +135,7 @@ Examples:
   parsim2d --slowdown 20                   slow enough to watch: gnuplot plot/loop.plot
   parsim2d drift                           does the energy stay constant?
 
-Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 130 interrupted.";
+Exit codes: 0 done, 1 the run failed, 2 bad usage or refused parameters, 3 out of memory, 130 interrupted.";
 
 /// A 2D particle simulator for teaching: discs, springs and dashpots in a box.
 ///

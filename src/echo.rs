@@ -9,6 +9,8 @@ use std::path::Path;
 
 /// Characters of a value that are shown.
 const VALUE: usize = 120;
+/// Characters of a sentence.
+const SENTENCE: usize = 600;
 /// Characters of the path of a file.
 const PATH: usize = 300;
 /// Characters of a line of a message, and lines of a message.
@@ -26,6 +28,11 @@ const LINES: usize = 100;
 /// ```
 pub fn value(text: &str) -> String {
     cut(text, VALUE)
+}
+
+/// A sentence with such words in it, on one line.
+pub fn sentence(text: &str) -> String {
+    cut(text, SENTENCE)
 }
 
 /// The path of a file, on one line.

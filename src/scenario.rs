@@ -15,6 +15,7 @@ pub mod finding;
 pub mod framed;
 pub mod gravity;
 pub mod judgement;
+pub mod memory;
 pub mod notes;
 mod number;
 mod output_choices;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 23] = [
+const ARROWS: [(&str, &[&str]); 24] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -58,6 +58,7 @@ const ARROWS: [(&str, &[&str]); 23] = [
             "proof",
         ],
     ),
+    ("allocator", &[]),
     ("main", &[]),
     ("lib", &[]),
 ];

@@ -5,11 +5,12 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Failure;
 use super::run::{RunArguments, scenario};
 use super::wrapped::wrapped;
+use super::{Failure, memory};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
+use crate::scenario::memory::bytes;
 use crate::scenario::notes;
 
 pub(super) const EXAMPLES: &str = "\
@@ -28,9 +29,8 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     lenient.settings.allow_unstable = Some(true);
     let json = arguments.settings.json.unwrap_or(false);
     let diagnosis = scenario(&lenient).and_then(|(scenario, _)| {
-        scenario.notes_on_file().iter().for_each(|note| {
-            let _ = writeln!(io::stderr(), "note: {note}"); // a closed stderr is no failure
-        });
+        scenario.notes_on_file().iter().for_each(|note| say("note", note));
+        memory::check(&scenario)?;
         scenario.build()?; // places the discs: no change of the time step makes room for them
         let particle_steps = scenario.n() as f64 * scenario.steps() as f64;
         Ok((scenario.diagnosis(), particle_steps, scenario.reading_of_the_guide()))
@@ -87,7 +87,10 @@ fn write_text(
     }
     writeln!(out, "{}", wrapped(CAVEAT, 80))?;
     let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
-    writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes\n")?;
+    writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes")?;
+    let needed = bytes(diagnosis.memory_bytes);
+    let there = memory::room().map(|room| format!(" of {} {}", bytes(room.bytes), room.whose));
+    writeln!(out, "memory: about {needed}{}\n", there.unwrap_or_default())?;
 
     if let Some(reading) = reading {
         writeln!(out, "{}\n", wrapped(&format!("the damping: {reading}"), 80))?;

@@ -1,4 +1,15 @@
-//! How much memory the program has used: Linux tells it in `/proc/self/status`.
+//! How much memory a run may take, and how much it has used: Linux tells it in files.
+
+mod there;
+
+pub(super) use self::there::room;
+use crate::scenario::Scenario;
+use crate::scenario::error::ScenarioError;
+
+/// Refuses a run that takes more memory than there is, as far as the system tells.
+pub(super) fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
+    room().map_or(Ok(()), |room| scenario.fit_memory(room.bytes, room.whose))
+}
 
 /// The most memory that this process has held at once, all included, in MB (1e6 bytes). `None` where
 /// the system does not tell it in a file, as outside Linux.

@@ -9,7 +9,6 @@ use std::process::ExitCode;
 use clap::Args;
 
 use self::refused::{is_done, not_continued, unfit, unreadable};
-use super::Failure;
 use super::claim::Claim;
 use super::interrupt::Interrupt;
 use super::keeper::Origin;
@@ -18,6 +17,7 @@ use super::run::{conclude, say_all};
 use super::say::say;
 use super::stepping::Stepping;
 use super::typed::{quoted, with_new_end};
+use super::{Failure, memory};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
@@ -109,6 +109,7 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let changes = arguments.changes(from);
     let (scenario, has_new_end) =
         Scenario::continued(&text, &mut arrays, &progress.written, changes)?;
+    memory::check(&scenario)?;
     let simulation = simulation(&scenario, progress, arrays).map_err(|why| unfit(&file, &why))?;
     check_end(&scenario, progress)?;
     let plan = scenario.continued_plan(&progress.written)?;

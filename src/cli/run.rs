@@ -45,6 +45,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
         io::stdout().write_all(scenario.to_toml().as_bytes())?;
         return Ok(ExitCode::SUCCESS);
     }
+    memory::check(&scenario)?;
     let interrupt = Interrupt::listen();
     let mut claim = Claim::of_new_run(&scenario.output.folder)?;
     keep_start(&scenario)?;

@@ -32,6 +32,8 @@ pub struct Diagnosis {
     pub dt_s: f64,
     /// Largest stable time step, s.
     pub limit_s: f64,
+    /// Memory that the run takes, an estimate, bytes.
+    pub memory_bytes: u64,
     /// The speed to expect, m/s.
     pub speed_m_s: f64,
     /// When a contact counts as over: at overlap zero, or at force zero.
@@ -100,6 +102,7 @@ impl Scenario {
             sentence,
             dt_s: dt,
             limit_s: limit.dt,
+            memory_bytes: self.memory(),
             speed_m_s: self.expected_speed(),
             contact_end: match self.contact_end() {
                 ContactEnd::OverlapZero => "overlap zero: the dashpot may pull as discs part",

@@ -23,8 +23,8 @@ pub fn read(path: &Path) -> Result<Settings, ScenarioError> {
     parse(&text, path)
 }
 
-/// The longest scenario file, bytes: some 500,000 listed discs, which take a second and 2 GB to be understood.
-const MOST_BYTES: u64 = 64_000_000;
+/// The longest scenario file, bytes: some 400,000 listed discs, which take a gigabyte of memory to be understood.
+const MOST_BYTES: u64 = 16_000_000;
 
 /// Reads a scenario from `text`; `path` is for messages only.
 pub fn parse(text: &str, path: &Path) -> Result<Settings, ScenarioError> {
@@ -61,7 +61,7 @@ fn message(original: &str, line: &str) -> String {
         return format!("unknown {kind} `{}`; {advice}", echo::value(unknown));
     }
     let plain = original.trim_end().replace('\n', " ").replace("i64", "a whole number");
-    let plain = echo::value(&plain);
+    let plain = echo::sentence(&plain);
     if plain.contains("invalid type: map, expected a sequence") {
         return "a list of tables is wanted: write [[disc]] or [[population]], in two brackets"
             .into();

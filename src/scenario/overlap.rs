@@ -1,5 +1,9 @@
 //! Overlaps of discs at t = 0: who, how deep, and how fast they will fly apart.
 
+use std::collections::HashMap;
+
+use glam::DVec2;
+
 use super::finding::{Finding, Matter, Verdict};
 use super::number::Num;
 use super::{DiscSource, Scenario};
@@ -15,6 +19,14 @@ impl Scenario {
     /// Shows `look` every overlap of `discs` with each other and with the walls. In a bed there are more
     /// overlaps than discs, so they are not kept.
     pub(super) fn each_overlap(&self, discs: &[Particle], mut look: impl FnMut(Overlap)) {
+        self.each_wall_overlap(discs, &mut look);
+        let mut neighbours = Neighbours::default();
+        neighbours.refresh(discs);
+        neighbours.pairs().filter_map(|(i, j)| self.overlap_of(discs, i, j)).for_each(look);
+    }
+
+    /// The same of overlaps with walls alone.
+    pub(super) fn each_wall_overlap(&self, discs: &[Particle], mut look: impl FnMut(Overlap)) {
         let planes = HalfPlane::square(self.side);
         let planes = if self.walls { &planes[..] } else { &[] };
         for (disc, p) in discs.iter().enumerate() {
@@ -28,17 +40,35 @@ impl Scenario {
                 }
             }
         }
-        let mut neighbours = Neighbours::default();
-        neighbours.refresh(discs);
-        for (i, j) in neighbours.pairs() {
-            if let Some(contact) = Contact::between(&discs[i], &discs[j]) {
-                let relative = contact.overlap / discs[i].radius.min(discs[j].radius);
-                let centres_coincide = discs[i].position == discs[j].position;
-                let (disc, other) = (i, Some(j));
-                let parting_speed = self.parting_speed(&contact);
-                look(Overlap { disc, other, relative, centres_coincide, parting_speed });
-            }
-        }
+    }
+
+    /// How discs `i` and `j` overlap, if they do.
+    fn overlap_of(&self, discs: &[Particle], i: usize, j: usize) -> Option<Overlap> {
+        let contact = Contact::between(&discs[i], &discs[j])?;
+        Some(Overlap {
+            disc: i,
+            other: Some(j),
+            relative: contact.overlap / discs[i].radius.min(discs[j].radius),
+            centres_coincide: discs[i].position == discs[j].position,
+            parting_speed: self.parting_speed(&contact),
+        })
+    }
+
+    /// Two discs that overlap by more than a radius, found in a time that grows with the discs and not with their
+    /// overlaps, of which crammed discs have as many as there are pairs. No such two are missed that lie in one square of
+    /// a diagonal of the smallest radius; where there are none, a disc has few others around it.
+    pub(super) fn crammed(&self, discs: &[Particle]) -> Option<Overlap> {
+        let smallest = discs.iter().map(|disc| disc.radius).fold(f64::INFINITY, f64::min);
+        let side = smallest * std::f64::consts::FRAC_1_SQRT_2;
+        let mut squares = HashMap::with_capacity(discs.len());
+        discs.iter().enumerate().find_map(|(j, disc)| {
+            // Plus zero: there is a zero below zero as well.
+            let square = (disc.position / side).floor() + DVec2::ZERO;
+            let square = square.to_array().map(f64::to_bits);
+            let i = squares.insert(square, j)?;
+            // So far out that numbers have no digits left, a square may be larger than it should be.
+            self.overlap_of(discs, i, j).filter(|overlap| overlap.relative > 1.0)
+        })
     }
 
     /// The overlap of `discs` that is largest by `measure`, the last of equal ones, and how many there are.
@@ -66,14 +96,15 @@ impl Scenario {
     /// Discs whose places were said and whose overlap will throw them apart faster than anything else
     /// in the run moves.
     pub(super) fn start_finding(&self) -> Option<Finding> {
-        let by_speed = |overlap: &Overlap| overlap.parting_speed;
-        let (deepest, _) = match &self.discs {
+        let discs = match &self.discs {
             DiscSource::Equal(_) => return None,
-            DiscSource::Listed(listed, _) => self.deepest_overlap(listed, by_speed),
-            DiscSource::Frame { discs, .. } => {
-                self.deepest_overlap(&discs.iter().collect::<Vec<_>>(), by_speed)
-            }
+            DiscSource::Listed(listed, _) => listed.clone(),
+            DiscSource::Frame { discs, .. } => discs.iter().collect(),
         };
+        if self.crammed(&discs).is_some() {
+            return None; // they are refused when they are placed
+        }
+        let (deepest, _) = self.deepest_overlap(&discs, |overlap| overlap.parting_speed);
         let deepest = deepest.filter(|deepest| deepest.relative > TOUCHING)?;
         let (disc, relative) = (deepest.disc, Num::rounded(deepest.relative));
         let speed = deepest.parting_speed;

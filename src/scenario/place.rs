@@ -109,11 +109,16 @@ impl Scenario {
     /// throw such discs apart. Smaller overlaps are told in the notes.
     fn check_overlaps(&self, discs: &[Particle]) -> Result<(), ScenarioError> {
         let mut refused = None;
-        self.each_overlap(discs, |overlap| {
+        let mut look = |overlap: Overlap| {
             if refused.is_none() {
                 refused = self.refuse_overlap(discs, &overlap);
             }
-        });
+        };
+        self.each_wall_overlap(discs, &mut look);
+        match self.crammed(discs) {
+            Some(overlap) => look(overlap),
+            None => self.each_overlap(discs, look),
+        }
         refused.map_or(Ok(()), Err)
     }
 

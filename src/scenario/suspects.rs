@@ -153,7 +153,8 @@ impl Scenario {
 
     fn groups(&self, listed: &[Particle], groups: &[Population]) -> Vec<Suspect> {
         let mut suspects = Vec::new();
-        for (k, group) in groups.iter().enumerate() {
+        for k in suspicious(groups) {
+            let group = &groups[k];
             let mut suspect = |key: &str, value: f64, usual: f64, mended: Population| {
                 let mut all = groups.to_vec();
                 all[k] = mended;
@@ -194,6 +195,29 @@ impl Scenario {
     pub(super) fn with_step(&self, step: StepChoice) -> Self {
         Self { step, ..self.clone() }
     }
+}
+
+/// The groups that may be at fault by themselves, in their order: all, and of very many the extreme ones. A suspect is
+/// a scenario of its own, so that all of thousands would not fit in memory.
+fn suspicious(groups: &[Population]) -> Vec<usize> {
+    const MANY: usize = 32;
+    if groups.len() <= MANY {
+        return (0..groups.len()).collect();
+    }
+    let most = |of: fn(&Population) -> f64| {
+        (0..groups.len()).max_by(|&a, &b| of(&groups[a]).total_cmp(&of(&groups[b])))
+    };
+    let extremes = [
+        most(|g| g.mass),
+        most(|g| -g.mass),
+        most(|g| g.radius),
+        most(|g| -g.radius),
+        most(|g| g.speed),
+    ];
+    let mut suspicious: Vec<usize> = extremes.into_iter().flatten().collect();
+    suspicious.sort_unstable();
+    suspicious.dedup();
+    suspicious
 }
 
 impl DampingChoice {

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
+use super::super::memory;
 use super::super::watch::progress_bar;
 use super::{DriftArguments, words};
 use crate::analysis::twin::{Growth, SEPARATE, distances, separation_time};
@@ -104,6 +105,7 @@ struct Report<'a> {
 
 pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
     let scenario = twin_box(&arguments.settings())?;
+    memory::check(&scenario)?;
     let path = arguments.out_dir.join("twin.csv");
     files::probe(&arguments.out_dir, &["twin.csv"])?;
     let (mut simulation, mut copies) = twins(&scenario)?;
