@@ -146,15 +146,13 @@ fn maxwells_curve_stands_only_beside_a_gas_in_equilibrium() {
         let two = "[[population]]\nn = 30\n[[population]]\nn = 30\nmass = '2g'\n";
         fs::write(folder.path().join("mixed.toml"), two).unwrap();
         let changed: Vec<&str> = change.split_whitespace().collect();
-        // What is changed is said once; discs that are listed are not counted.
-        let mut said_so: Vec<&str> = Vec::new();
-        for pair in gas.split(' ').collect::<Vec<_>>().chunks(2) {
-            if !changed.contains(&pair[0]) && !(pair[0] == "-n" && change == "mixed.toml") {
-                said_so.extend(pair);
-            }
-        }
-        said_so.extend(&changed);
-        parsim2d(folder.path(), &said_so).success();
+        // What is changed is said once; a file says itself how many discs there are.
+        let is_replaced =
+            |flag: &str| changed.contains(&flag) || flag == "-n" && change == "mixed.toml";
+        let words: Vec<&str> = gas.split(' ').collect();
+        let kept = words.chunks(2).filter(|pair| !is_replaced(pair[0])).flatten().copied();
+        let arguments: Vec<&str> = kept.chain(changed.iter().copied()).collect();
+        parsim2d(folder.path(), &arguments).success();
         parsim2d(folder.path(), &["report"]).success();
         let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
         let said = parsim2d::page::html::escaped(said);

@@ -76,6 +76,8 @@ pub struct Words {
     pub velocity: &'static str,
     /// Below the velocity field, `{}` for how long the longest arrow is.
     pub velocity_caption: &'static str,
+    /// Said of a field of which every so-manieth arrow is drawn.
+    pub fewer_arrows: &'static str,
     /// Heading of the histogram.
     pub speeds: &'static str,
     /// Below a histogram with Maxwell's curve.
@@ -253,6 +255,7 @@ pub const ENGLISH: Words = Words {
     last_frame: "At the end.",
     velocity: "Velocity field",
     velocity_caption: "The longest arrow is {} % of the box.",
+    fewer_arrows: "One disc of every {} has its arrow.",
     speeds: "Speeds",
     maxwell: "The curve is Maxwell's distribution in two dimensions of the same mean square: what a gas in \
         equilibrium has.",
