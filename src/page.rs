@@ -9,4 +9,5 @@ pub mod html;
 pub mod parameters;
 pub mod player;
 pub mod report;
+pub mod small;
 pub mod words;

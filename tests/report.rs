@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use parsim2d::page::gas::NoGas;
 use parsim2d::page::words::ENGLISH;
 use tempfile::TempDir;
 
@@ -23,17 +24,25 @@ fn report_of(arguments: &[&str], code: i32) -> (TempDir, String) {
 fn assert_whole(page: &str) {
     assert!(page.starts_with("<!doctype html>\n<html lang=\"en\">"));
     assert!(page.ends_with("</html>\n"));
-    for tag in ["html", "head", "body", "style", "svg", "figure", "table", "dl", "ul", "pre", "div"]
-    {
+    for tag in [
+        "html", "head", "body", "style", "svg", "figure", "table", "dl", "div", "section",
+        "canvas", "button", "script", "span",
+    ] {
         let opened =
             page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
         assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
     }
-    let links = ["src=", "@import", "url(http", "<script", "<link", "<iframe"];
+    let links = ["src=", "@import", "url(http", "<link", "<iframe", " onload=", " onerror="];
     for link in links {
         assert!(!page.contains(link), "{link}");
     }
-    let addresses = page.matches("http").count();
+    assert!(page.contains("content=\"default-src 'none'; style-src 'unsafe-inline'; script-src"));
+    // The frames and what plays them, and no other script.
+    let scripts: Vec<&str> = page.split("<script").skip(1).collect();
+    assert_eq!(scripts.len(), 2);
+    assert!(scripts[0].starts_with(" type=\"application/json\" id=\"film\">{"));
+    assert!(scripts[1].contains(include_str!("../src/page/player.js")));
+    let addresses = page.matches("://").count();
     assert_eq!(addresses, page.matches("http://www.w3.org/2000/svg").count(), "an address");
     // Every name that is used is given once on the whole page.
     let ids: Vec<&str> =
@@ -51,23 +60,26 @@ fn a_report_shows_what_a_run_was_and_what_came_of_it() {
     assert_whole(&page);
     let headings = [
         ENGLISH.how_to_repeat,
+        ENGLISH.player_heading,
+        ENGLISH.parameters,
         ENGLISH.results,
+        ENGLISH.own_words,
         ENGLISH.diagnosis,
         ENGLISH.energy,
         ENGLISH.frames,
+        ENGLISH.velocity,
         ENGLISH.speeds,
-        ENGLISH.parameters,
-        ENGLISH.data,
     ];
     let mut rest = page.as_str();
     for heading in headings {
         let at = rest.find(&format!("<h2>{heading}</h2>")).unwrap_or_else(|| panic!("{heading}"));
         rest = &rest[at..];
     }
-    assert_eq!(page.matches("<svg ").count(), 4);
+    assert_eq!(page.matches("<svg ").count(), 6);
+    assert!(page.matches("class=\"arrow\"").count() >= 20);
     let typed = "parsim2d -n 30 --radius 5e-4 --seed 4 --time 50ms";
     assert!(page.contains(&format!("<code>{typed}</code>")));
-    assert!(page.contains("seed = 4") && page.contains(env!("CARGO_PKG_VERSION")));
+    assert!(page.contains("<dt>seed</dt><dd>4</dd>") && page.contains(env!("CARGO_PKG_VERSION")));
     for file in ["trajectory.txt", "energy.csv", "out.txt", "last-run.toml"] {
         assert!(page.contains(&format!("<a href=\"{file}\">")), "{file}");
         assert!(folder.path().join(file).exists());
@@ -91,6 +103,98 @@ fn the_run_that_a_report_names_is_the_same_run() {
     parsim2d(folder.path(), &["last-run.toml"]).success();
     assert_eq!(hash(folder.path()), first);
     assert!(page.contains(first.split(" = ").nth(1).unwrap()));
+}
+
+#[test]
+fn the_command_of_a_report_repeats_a_run_whose_seed_was_drawn() {
+    for typed in ["-n 5 --time 10ms", "-n 5 --time 10ms --seed=77", "mine.toml"] {
+        let elsewhere = TempDir::new().unwrap();
+        let folder = TempDir::new().unwrap();
+        for folder in [&folder, &elsewhere] {
+            fs::write(folder.path().join("mine.toml"), "n = 4\ntime = '5ms'\n").unwrap();
+        }
+        parsim2d(folder.path(), &typed.split(' ').collect::<Vec<_>>()).success();
+        parsim2d(folder.path(), &["report"]).success();
+        let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+        let command = page.split("<code>").nth(1).unwrap().split("</code>").next().unwrap();
+        let words: Vec<&str> = command.split(' ').skip(1).collect();
+        assert_eq!(command.matches("--seed").count(), 1, "{command}");
+        parsim2d(elsewhere.path(), &words).success();
+        let [frames, again] = [&folder, &elsewhere]
+            .map(|folder| fs::read(folder.path().join("trajectory.txt")).unwrap());
+        assert!(frames == again, "{command}");
+    }
+}
+
+#[test]
+fn maxwells_curve_stands_only_beside_a_gas_in_equilibrium() {
+    let gas = "-n 60 --radius 5e-4 --seed 1 --gravity 0 --speed 0.5 --restitution 1 --time 0.3";
+    let cases = [
+        ("", ENGLISH.maxwell),
+        ("-n 20", (ENGLISH.no_maxwell)(NoGas::Few)),
+        ("--restitution 0.5", (ENGLISH.no_maxwell)(NoGas::Cooling)),
+        ("--no-walls", (ENGLISH.no_maxwell)(NoGas::Open)),
+        // All begin with one speed, and have not met.
+        ("--time 10ms", (ENGLISH.no_maxwell)(NoGas::Sparse)),
+        // A fall from rest, to the floor.
+        ("--gravity 9.81 --speed 0 --time 60ms", (ENGLISH.no_maxwell)(NoGas::Unsteady)),
+        ("--energy-every 0", (ENGLISH.no_maxwell)(NoGas::Unknown)),
+        ("mixed.toml", (ENGLISH.no_maxwell)(NoGas::Unlike)),
+    ];
+    for (change, said) in cases {
+        let folder = TempDir::new().unwrap();
+        let two = "[[population]]\nn = 30\n[[population]]\nn = 30\nmass = '2g'\n";
+        fs::write(folder.path().join("mixed.toml"), two).unwrap();
+        let changed: Vec<&str> = change.split_whitespace().collect();
+        // What is changed is said once; a file says itself how many discs there are.
+        let is_replaced =
+            |flag: &str| changed.contains(&flag) || flag == "-n" && change == "mixed.toml";
+        let words: Vec<&str> = gas.split(' ').collect();
+        let kept = words.chunks(2).filter(|pair| !is_replaced(pair[0])).flatten().copied();
+        let arguments: Vec<&str> = kept.chain(changed.iter().copied()).collect();
+        parsim2d(folder.path(), &arguments).success();
+        parsim2d(folder.path(), &["report"]).success();
+        let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+        let said = parsim2d::page::html::escaped(said);
+        assert!(page.contains(&said), "{change}");
+        assert_eq!(page.contains("Maxwell, 2D"), change.is_empty(), "{change}");
+    }
+}
+
+#[test]
+fn a_report_has_a_line_for_a_name_and_a_place_for_an_answer() {
+    let (folder, page) = report_of(&["-n", "3", "--time", "1ms", "--seed", "1"], 0);
+    for class in ["name", "own"] {
+        assert!(page.contains(&format!("class=\"{class}\" contenteditable=\"true\"")), "{class}");
+    }
+    parsim2d(folder.path(), &["report", "--name", "Ada <Lovelace>"]).success();
+    let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert_whole(&page);
+    assert!(page.contains("aria-label=\"Name\">Ada &lt;Lovelace&gt;</span>"));
+}
+
+#[test]
+fn a_report_draws_no_box_around_a_run_without_walls() {
+    let run = ["-n", "12", "--time", "5ms", "--seed", "1", "--speed", "0.1"];
+    let (_folder, page) = report_of(&run, 0);
+    assert_eq!(page.matches("class=\"box\"").count(), 3);
+    let (_folder, page) = report_of(&[&run[..], &["--no-walls"]].concat(), 0);
+    assert!(!page.contains("class=\"box\"") && page.contains("\"side\":null"));
+}
+
+#[test]
+fn many_listed_discs_take_a_few_lines() {
+    let folder = TempDir::new().unwrap();
+    let disc = |k: usize| format!("[[disc]]\nposition = [{}, 0.01]\n", 0.002 * (k + 1) as f64);
+    let scenario = format!("time = '1ms'\n{}", (0..19).map(disc).collect::<String>());
+    fs::write(folder.path().join("row.toml"), scenario).unwrap();
+    parsim2d(folder.path(), &["row.toml"]).success();
+    parsim2d(folder.path(), &["report"]).success();
+    let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert_whole(&page);
+    assert!(page.contains("<th>position, m</th>") && page.contains("<td>[0.016, 0.01]</td>"));
+    assert!(!page.contains("<td>[0.018, 0.01]</td>"));
+    assert!(page.contains("and 11 more in last-run.toml"));
 }
 
 #[test]
@@ -141,6 +245,19 @@ fn what_a_user_typed_cannot_break_the_page() {
     let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
     assert_whole(&page);
     assert!(page.contains("&lt;script&gt;alert("));
+    // Files of strangers: a record, a failure, frames that say more than numbers.
+    let lines = "preset = \"guide\"\nn = 2\n\n[[x</script><script>alert(1)</script>]]\ny = \"<img src=x>\"\n";
+    let results = "# result: command = </code><script>alert(1)</script>\n# result: <b> = <i>\n";
+    let record = format!("# parsim2d 0.1.0\n{lines}{results}");
+    fs::write(folder.path().join("last-run.toml"), record).unwrap();
+    let failure = "{\"what\": \"</script><img src=x onerror=alert(1)>\", \"discs\": \"<b>\"}";
+    fs::write(folder.path().join("failure.json"), failure).unwrap();
+    parsim2d(folder.path(), &["report", "--name", "</span><script>alert(1)</script>"]).success();
+    let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+    for tag in ["<b>", "<i>", "<img", "<script>alert"] {
+        assert!(!page.contains(tag), "{tag}");
+    }
+    assert_eq!(page.matches("<script").count(), 2);
 }
 
 #[test]

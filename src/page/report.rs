@@ -4,25 +4,16 @@ use std::fmt::Write;
 
 use super::film::Film;
 use super::gas::NoGas;
-use super::html::{escaped, figure, list, page, table};
+use super::html::{escaped, list, page, table};
 use super::parameters;
 use super::player::{Beginning, player};
+use super::small::{self, panels};
 use super::words::Words;
 use crate::analysis::answer::{Answer, AnswerRow};
 use crate::analysis::energy::LedgerRow;
-use crate::figure::frame::LONGEST_ARROW;
-use crate::figure::scene::Scene;
-use crate::figure::{Figure, Panel};
+use crate::figure::Figure;
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
-
-/// A chart and a picture of discs of half the width of a sheet, pixels: their text is of 8 points there.
-const CHART: (f64, f64) = (460.0, 310.0);
-const SCENE: (f64, f64) = (460.0, 382.0);
-/// So many discs or fewer may be drawn larger than they are, with longer arrows.
-const FEW: usize = 200;
-/// The least radius of such discs, as a fraction of what is shown.
-const LEAST_RADIUS: f64 = 0.005;
 
 /// Everything that a report shows.
 pub struct Report {
@@ -197,25 +188,21 @@ impl Report {
             Some(energy) => {
                 let captions = [words.energy_caption, words.residue_caption];
                 let panels = energy.panels.iter().zip(captions).enumerate();
-                pair(panels.map(|(k, (panel, caption))| small(1 + k, panel, caption, words)))
+                pair(panels.map(|(k, (panel, caption))| small::panel(1 + k, panel, caption, words)))
             }
             None => format!("<p>{}</p>\n", escaped(words.no_energy)),
         };
         let [first, last] = &self.frames;
         let frames = [(first, words.first_frame), (last, words.last_frame)].into_iter().enumerate();
         let frames =
-            frames.flat_map(|(k, (figure, caption))| small_all(3 + k, figure, caption, words));
+            frames.flat_map(|(k, (figure, caption))| panels(3 + k, figure, caption, words));
         section(words.energy, &energy) + &section(words.frames, &pair(frames)) + &self.motion(words)
     }
 
     /// The velocity field beside the histogram of speeds.
     fn motion(&self, words: &Words) -> String {
         let velocity = self.velocity.iter().flat_map(|figure| {
-            let mut figure = figure.clone();
-            let stretch = stretched(&mut figure);
-            let longest = (100.0 * stretch * LONGEST_ARROW).round().to_string();
-            let caption = words.velocity_caption.replace("{}", &longest);
-            let text = small_all(5, &figure, &caption, words);
+            let text = small::field(5, figure, words);
             text.into_iter().map(|text| section(words.velocity, &text))
         });
         let said = match self.no_gas {
@@ -223,7 +210,7 @@ impl Report {
             Some(why) => (words.no_maxwell)(why),
         };
         let speeds = match &self.speeds {
-            Some(speeds) => small_all(6, speeds, said, words).concat(),
+            Some(speeds) => panels(6, speeds, said, words).concat(),
             None => format!("<p>{}</p>\n", escaped(words.no_speeds)),
         };
         pair(velocity.chain([section(words.speeds, &speeds)]))
@@ -257,55 +244,6 @@ fn editable(tag: &str, class: &str, purpose: &str, text: &str) -> String {
     format!(
         "<{tag} class=\"{class}\" contenteditable=\"true\" role=\"textbox\" aria-label=\"{purpose}\">{text}</{tag}>\n"
     )
-}
-
-/// The panels of a figure, each as number `k` of the page.
-fn small_all(k: usize, figure: &Figure, caption: &str, words: &Words) -> Vec<String> {
-    figure.panels.iter().map(|panel| small(k, panel, caption, words)).collect()
-}
-
-/// A panel of half the width of a sheet. Its title goes into the caption, which wraps.
-fn small(k: usize, panel: &Panel, caption: &str, words: &Words) -> String {
-    let mut panel = panel.clone();
-    let mut caption = caption.to_owned();
-    let (size, title) = match &mut panel {
-        Panel::Chart(chart) => (CHART, &mut chart.title),
-        Panel::Scene(scene) => {
-            if enlarged(scene) {
-                caption = format!("{caption} {}", words.enlarged);
-            }
-            (SCENE, &mut scene.title)
-        }
-    };
-    if !title.is_empty() {
-        caption = format!("{}. {caption}", std::mem::take(title));
-    }
-    let small = Figure { panels: vec![panel], columns: 1, panel: size, strip: None };
-    figure(k, &small, &caption)
-}
-
-/// Makes discs larger that would be lost on paper; says whether there are such.
-fn enlarged(scene: &mut Scene) -> bool {
-    let least = LEAST_RADIUS * scene.view.width;
-    let are_few = scene.discs.len() <= FEW;
-    let small = scene.discs.iter_mut().filter(|disc| are_few && disc.radius < least);
-    small.map(|disc| disc.radius = least).count() > 0
-}
-
-/// Makes the arrows of few discs longer, and says how many times.
-fn stretched(figure: &mut Figure) -> f64 {
-    const STRETCH: f64 = 2.0;
-    for panel in &mut figure.panels {
-        if let Panel::Scene(scene) = panel {
-            if scene.discs.len() > FEW {
-                return 1.0;
-            }
-            for arrow in &mut scene.arrows {
-                arrow.to = arrow.from + STRETCH * (arrow.to - arrow.from);
-            }
-        }
-    }
-    STRETCH
 }
 
 fn sentence(verdict: Verdict, text: &str) -> String {

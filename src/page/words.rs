@@ -76,6 +76,8 @@ pub struct Words {
     pub velocity: &'static str,
     /// Below the velocity field, `{}` for how long the longest arrow is.
     pub velocity_caption: &'static str,
+    /// Said of a field of which every so-manieth arrow is drawn.
+    pub fewer_arrows: &'static str,
     /// Heading of the histogram.
     pub speeds: &'static str,
     /// Below a histogram with Maxwell's curve.
@@ -179,9 +181,9 @@ pub const ENGLISH: Words = Words {
         clock: "t = {} s",
         frame: "frame {}",
         rate: "a second shows {} s of the run",
-        fewer_frames: "The page has {} of the {} frames of the file.",
+        fewer_frames: "It has {} of the {} frames of the file.",
         fewer_discs: "It shows one disc of every {}; the run had them all.",
-        enlarged: "On small screens discs are drawn larger than they are, to be seen.",
+        enlarged: "On small screens, discs are drawn larger than they are, to be seen.",
         keys: "Space plays and pauses, the arrow keys go frame by frame, Home and End to the ends.",
         no_script: "The player needs JavaScript, which is switched off here.",
     },
@@ -254,6 +256,7 @@ pub const ENGLISH: Words = Words {
     last_frame: "At the end.",
     velocity: "Velocity field",
     velocity_caption: "The longest arrow is {} % of the box.",
+    fewer_arrows: "One disc of every {} has its arrow.",
     speeds: "Speeds",
     maxwell: "The curve is Maxwell's distribution in two dimensions of the same mean square: what a gas in \
         equilibrium has.",

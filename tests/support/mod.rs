@@ -156,10 +156,20 @@ pub fn heeding(program: impl AsRef<std::ffi::OsStr>) -> std::process::Command {
 
 /// True, and says so, if there is no gnuplot to test `what` with.
 pub fn gnuplot_is_missing(what: &str) -> bool {
-    let there = std::process::Command::new("gnuplot").arg("--version").output().is_ok();
+    is_missing("gnuplot", "PARSIM2D_REQUIRE_GNUPLOT", what)
+}
+
+/// True, and says so, if there is no Chromium to test `what` with.
+pub fn browser_is_missing(what: &str) -> bool {
+    is_missing("chromium", "PARSIM2D_REQUIRE_BROWSER", what)
+}
+
+/// Whether `program` is not installed; that is a failure if the variable `required` is set.
+fn is_missing(program: &str, required: &str, what: &str) -> bool {
+    let there = std::process::Command::new(program).arg("--version").output().is_ok();
     if !there {
-        let message = format!("SKIPPED: gnuplot is not installed, so {what} was not tested");
-        assert!(std::env::var_os("PARSIM2D_REQUIRE_GNUPLOT").is_none(), "{message}");
+        let message = format!("SKIPPED: {program} is not installed, so {what} was not tested");
+        assert!(std::env::var_os(required).is_none(), "{message}");
         // Not `eprintln!`, which the test runner hides.
         std::io::Write::write_all(&mut std::io::stderr(), format!("{message}\n").as_bytes())
             .unwrap();
