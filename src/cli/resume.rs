@@ -21,6 +21,7 @@ use super::typed::{quoted, with_new_end};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
+use crate::output::number::counted;
 use crate::output::record;
 use crate::output::recorder::Recorder;
 use crate::output::recorder::continued::is_same_folder;
@@ -152,7 +153,7 @@ fn simulation(
     let particles = state.particles();
     let (n, said) = (particles.len(), scenario.n());
     if n != said {
-        return Err(format!("it has {n} discs, its scenario says {said}"));
+        return Err(format!("it has {}, its scenario says {said}", counted(n, "disc")));
     }
     let mut simulation = scenario.assemble(particles, state.is_of_crowd());
     simulation.set_state(&state);

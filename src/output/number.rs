@@ -9,6 +9,16 @@ const LONGEST: usize = 24;
 /// The text `00000000` as one word.
 const ZEROS: u64 = u64::from_le_bytes([b'0'; 8]);
 
+/// So many of what `one` is the name of.
+///
+/// ```
+/// use parsim2d::output::number::counted;
+/// assert_eq!([counted(1, "disc"), counted(20, "disc")], ["1 disc", "20 discs"]);
+/// ```
+pub fn counted(n: usize, one: &str) -> String {
+    format!("{n} {one}{}", if n == 1 { "" } else { "s" })
+}
+
 /// Appends `value` in at most nine significant digits, without trailing zeros; in exponent form
 /// below 1e-4 and from 1e9 on.
 ///
