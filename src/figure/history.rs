@@ -142,9 +142,10 @@ impl History {
         // Into memory, which does not fail.
         let _ = write!(
             text,
-            "set key outside right center samplen 2 noenhanced\n\
+            "set key {} noenhanced\n\
              set grid linecolor rgb 'gray85' ; set autoscale xfix ; set offsets 0,0,graph 0.05,graph 0.05\n\
              set lmargin 12 ; set xlabel '{}'\nset multiplot layout {},1 title {} noenhanced\n",
+            if self.discs.len() > 1 { "outside right center samplen 2" } else { "off" },
             self.time_label(),
             self.quantities.len(),
             quoted(&self.title()),

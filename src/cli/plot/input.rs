@@ -8,6 +8,8 @@ use super::error::PlotError;
 use super::progress::Progress;
 use crate::cli::Failure;
 use crate::output::frames::{Frame, Frames};
+use crate::output::record;
+use crate::scenario::file::read as read_scenario;
 
 /// The one file of a picture that shows one.
 pub(super) fn one_file<'a>(
@@ -77,12 +79,24 @@ pub(super) fn read_table<T>(
 pub struct FrameFile {
     /// Its path as said.
     pub path: PathBuf,
+    /// Whether the record of the run beside it says that there are no walls: frames name the side of the box only.
+    is_open: bool,
 }
 
 impl FrameFile {
     /// The file at `path`.
     pub fn named(path: &Path) -> Self {
-        Self { path: path.to_owned() }
+        let record = read_scenario(&path.with_file_name(record::FILE)).unwrap_or_default();
+        let is_open = record.walls == Some(false) || record.no_walls == Some(true);
+        Self { path: path.to_owned(), is_open }
+    }
+
+    /// `frame` as it is drawn.
+    fn drawn(&self, mut frame: Frame) -> Frame {
+        if self.is_open {
+            frame.side = None;
+        }
+        frame
     }
 
     fn frames(&self) -> Result<Frames<BufReader<File>>, PlotError> {
@@ -123,7 +137,7 @@ impl FrameFile {
         let progress = Progress::begin(None);
         let mut last = None;
         for (index, frame) in self.frames()?.enumerate() {
-            let frame = frame.map_err(|why| self.bad(&why, index, "--frame"))?;
+            let frame = self.drawn(frame.map_err(|why| self.bad(&why, index, "--frame"))?);
             progress.advance();
             if wanted == Some(index) {
                 return Ok((index, frame));
@@ -149,7 +163,8 @@ impl FrameFile {
         let wanted = until.map_or(usize::MAX, |last| last.saturating_add(1));
         let mut seen = 0;
         for (index, frame) in self.frames()?.enumerate().take(wanted) {
-            see(index, frame.map_err(|why| self.bad(&why, index, "--until"))?)?;
+            let frame = frame.map_err(|why| self.bad(&why, index, "--until"))?;
+            see(index, self.drawn(frame))?;
             seen += 1;
         }
         match (seen, until) {
