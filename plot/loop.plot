@@ -17,6 +17,11 @@ if (strlen(file) > 2 && (ends eq '""' || ends eq "''")) {
     file = file[2:strlen(file) - 1]
     print "file has quotes within its quotes; taken as ".file
 }
+# No walls are drawn where the record of the run beside the file says that there are none.
+slash = 0
+do for [i=1:strlen(file)] { if (strstrt('/\', file[i:i])) { slash = i } }
+open = strstrt(GPVAL_SYSNAME, "Windows") ? 'findstr /b /c:"walls = false" "%slast-run.toml" 2>nul' \
+    : 'grep -s "^walls = false" "%slast-run.toml"'
 set size ratio -1                           # discs to scale
 set key off ; set tics nomirror
 set xlabel 'x, m' ; set ylabel 'y, m'
@@ -41,10 +46,11 @@ while (!done && redraws != 0) {
         set datafile commentschars
     }
     if (discs > 0) {
+        if (pictures == 0) { has_walls = system(sprintf(open, slash > 0 ? file[1:slash] : '')) eq '' }
         # Fixed axes, with room for the border discs.
         set xrange [-0.03 * side:1.03 * side] ; set xtics 0.25 * side
         set yrange [-0.03 * side:1.03 * side] ; set ytics 0.25 * side
-        set object 1 rectangle from 0,0 to side,side fillstyle empty border lt -1
+        if (has_walls) { set object 1 rectangle from 0,0 to side,side fillstyle empty border lt -1 }
         set title sprintf("t = %.4f s", now)
         if (exists("png")) { set output sprintf(png, pictures) }
         # Text is drawn over the text before: to the upper left corner first, as terminals have it.

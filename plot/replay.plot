@@ -37,7 +37,13 @@ set xrange [-0.03 * side:1.03 * side] ; set xtics 0.25 * side ; set xlabel 'x, m
 set yrange [-0.03 * side:1.03 * side] ; set ytics 0.25 * side ; set ylabel 'y, m'
 set tics nomirror ; set key off
 set style fill solid 0.6
-set object 1 rectangle from 0,0 to side,side fillstyle empty border lt -1
+# No walls are drawn where the record of the run beside the file says that there are none.
+slash = 0
+do for [i=1:strlen(file)] { if (strstrt('/\', file[i:i])) { slash = i } }
+open = strstrt(GPVAL_SYSNAME, "Windows") ? 'findstr /b /c:"walls = false" "%slast-run.toml" 2>nul' \
+    : 'grep -s "^walls = false" "%slast-run.toml"'
+has_walls = system(sprintf(open, slash > 0 ? file[1:slash] : '')) eq ''
+if (has_walls) { set object 1 rectangle from 0,0 to side,side fillstyle empty border lt -1 }
 mouse = strstrt(GPVAL_COMPILE_OPTIONS, "+USE_MOUSE")
 done = 0
 if (mouse) { eval 'bind "Close" "done = 1"' }           # q or the window closed

@@ -35,7 +35,13 @@ set tics nomirror ; set key off
 set cbrange [0:fastest > 0 ? fastest : 1] ; set cblabel 'speed, m/s'
 # Darker is slower, and no colour is too light for white paper.
 set palette defined (0 "#0d0887", 1 "#7e03a8", 2 "#cc4778", 3 "#f89540")
-set object 1 rectangle from 0,0 to side,side fillstyle empty border lt -1
+# No walls are drawn where the record of the run beside the file says that there are none.
+slash = 0
+do for [i=1:strlen(file)] { if (strstrt('/\', file[i:i])) { slash = i } }
+open = strstrt(GPVAL_SYSNAME, "Windows") ? 'findstr /b /c:"walls = false" "%slast-run.toml" 2>nul' \
+    : 'grep -s "^walls = false" "%slast-run.toml"'
+has_walls = system(sprintf(open, slash > 0 ? file[1:slash] : '')) eq ''
+if (has_walls) { set object 1 rectangle from 0,0 to side,side fillstyle empty border lt -1 }
 set title sprintf("t = %.4f s, fastest disc %.3g m/s", real(word(times, frame + 1)), fastest)
 plot file index frame using 1:2:3 with circles fc rgb "gray90" fs solid border lc rgb "gray60", \
     '' index frame using 1:2:(arrow * $4):(arrow * $5):(sqrt($4**2 + $5**2)) \

@@ -2,7 +2,7 @@
 //!
 //! A [`Figure`] is a grid of panels, each a [`chart::Chart`] (curves between axes) or a
 //! [`scene::Scene`] (discs to scale in their box). One file a kind of picture builds them:
-//! [`frame`], [`paths`], [`energy`], [`velocity`], [`forces`], [`speeds`], [`drift`]; [`animation`]
+//! [`frame`], [`paths`], [`energy`], [`velocity`], [`forces`], [`speeds`], [`history`], [`drift`]; [`animation`]
 //! makes the GIF. Numbers come in as values, never as file names, so that any command can draw.
 //! The same numbers give the same bytes.
 
@@ -11,11 +11,13 @@ pub mod axis;
 pub mod chart;
 pub mod colour;
 pub mod drift;
+pub mod end_label;
 pub mod energy;
 pub mod forces;
 pub mod frame;
 mod glyphs;
 pub mod gnuplot;
+pub mod history;
 pub mod label;
 pub mod paths;
 mod raster;

@@ -405,7 +405,10 @@ fn the_energies_of_a_run_that_explodes_stand_on_a_logarithmic_axis() {
     let folder = simulate("-n 20 --seed 1 --eta 1.5e3 --allow-unstable --time 0.1 -q");
     let output = plot(folder.path(), "energy energy.csv");
     let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("energy.csv: 1299 rows that are not finite are left out"), "{said}");
+    assert!(
+        said.contains("energy.csv: 1299 rows left out, with numbers that are not finite"),
+        "{said}"
+    );
     let text = read(&folder, "energy.svg");
     assert!(text.contains("|energy|, J") && text.contains("10²⁰⁰"), "{text}");
 }

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::run::{RunArguments, scenario};
+use super::say::say;
 use super::wrapped::wrapped;
 use super::{Failure, memory};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};

@@ -12,8 +12,8 @@ use std::process::ExitCode;
 
 pub(super) use self::arguments::PlotArguments;
 use self::arguments::{
-    ColourName, EnergyArguments, ForcesArguments, FrameArguments, Kind, ReadingArguments,
-    SpeedsArguments, TrajectoryArguments, VelocityArguments,
+    ColourName, EnergyArguments, ForcesArguments, FrameArguments, HistoryArguments, Kind,
+    ReadingArguments, SpeedsArguments, TrajectoryArguments, VelocityArguments,
 };
 pub(super) use self::error::PlotError;
 pub(super) use self::input::FrameFile;
@@ -27,11 +27,13 @@ use crate::echo;
 use crate::figure::animation::{self, Animation};
 use crate::figure::forces::{discs, links};
 use crate::figure::frame::{Choice, ColourBy, has_velocities};
-use crate::figure::paths::{MOST_PATHS, Paths, moments};
+use crate::figure::history::{History, Quantity};
+use crate::figure::paths::{MOST_PATHS, Paths, Travel};
 use crate::figure::speeds::{Histogram, Moments};
 use crate::figure::survey::Survey;
 use crate::figure::{drift, energy, forces, frame, paths, speeds, velocity};
 use crate::output::frames::Frame;
+use crate::output::number::counted;
 use crate::output::record;
 use crate::scenario::settings::Settings;
 
@@ -46,6 +48,7 @@ pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
         Kind::Velocity(arguments) => plot_velocity(arguments)?,
         Kind::Forces(arguments) => plot_forces(arguments)?,
         Kind::Speeds(arguments) => plot_speeds(arguments)?,
+        Kind::History(arguments) => plot_history(arguments)?,
         Kind::Drift(arguments) => {
             let file = one_file("drift", &arguments.files)?;
             plot_drift(file, &Target::new(arguments.out.as_deref(), "drift", "svg")?)?;
@@ -68,8 +71,7 @@ pub(super) fn plot_drift(file: &Path, target: &Target) -> Result<(), Failure> {
     let rows = read_table(file, "drift", crate::output::drift::read)?;
     let beside = file.with_file_name("drift_energy.csv");
     let curves = read_table(&beside, "drift", crate::output::drift::read_curves)?;
-    let data = [target.data(file)?, target.data(&beside)?];
-    let script = drift::script(&target.stem, &data[0], &data[1], (&rows, &curves));
+    let script = drift::script(&target.stem, &target.data(file)?, (&rows, &curves));
     target.write(&drift::figure(&rows, &curves), &script)
 }
 
@@ -97,27 +99,28 @@ fn plot_frame(arguments: &FrameArguments) -> Result<(), Failure> {
     target.write(&frame::figure(&one, choice), &file.script(script))
 }
 
-/// A look at all frames.
-fn survey(file: &FrameFile, until: Option<usize>) -> Result<Survey, Failure> {
-    let mut survey = Survey::begin();
+/// A look at all frames, and how far the discs come in them.
+fn survey(file: &FrameFile, until: Option<usize>) -> Result<(Survey, Travel), Failure> {
+    let (mut survey, mut travel) = (Survey::begin(), Travel::default());
     let progress = Progress::begin(None);
     file.each_frame(until, |_, frame| {
         survey.add(&frame);
+        travel.add(&frame);
         progress.advance();
         Ok(())
     })?;
-    Ok(survey)
+    Ok((survey, travel))
 }
 
 fn plot_trajectory(arguments: &TrajectoryArguments) -> Result<(), Failure> {
     let file = frame_file("trajectory", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "trajectory", "svg")?;
-    let survey = survey(&file, arguments.until)?;
+    let (survey, travel) = survey(&file, arguments.until)?;
     let progress = Progress::begin(Some(survey.frames));
     let data = target.data(&file.path)?;
     let every = arguments.every.get();
     if survey.discs > MOST_PATHS {
-        let wanted = moments(survey.frames);
+        let wanted = travel.moments();
         let mut chosen = Vec::new();
         file.each_frame(arguments.until, |index, frame| {
             progress.advance();
@@ -145,7 +148,7 @@ fn plot_trajectory(arguments: &TrajectoryArguments) -> Result<(), Failure> {
 fn plot_animation(arguments: &TrajectoryArguments) -> Result<(), Failure> {
     let file = frame_file("trajectory", &arguments.files, &arguments.reading)?;
     let target = Target::new(arguments.out.as_deref(), "trajectory", "gif")?;
-    let survey = survey(&file, arguments.until)?;
+    let (survey, _) = survey(&file, arguments.until)?;
     let progress = Progress::begin(Some(survey.frames));
     let data = target.data(&file.path)?;
     let every = arguments.every.get();
@@ -190,8 +193,9 @@ pub(super) fn ledger(path: &Path) -> Result<Vec<LedgerRow>, Failure> {
     if rows.len() < read {
         let left_out = read - rows.len();
         input::remark(&format!(
-            "{}: {left_out} rows that are not finite are left out",
-            echo::path(path)
+            "{}: {} left out, with numbers that are not finite",
+            echo::path(path),
+            counted(left_out, "row")
         ));
     }
     Ok(rows)
@@ -308,4 +312,36 @@ fn plot_speeds(arguments: &SpeedsArguments) -> Result<(), Failure> {
     let title = histogram.title(time);
     let script = speeds::script(&target.stem, &histogram, &title);
     target.write(&speeds::figure(&histogram, &title), &script)
+}
+
+/// Of so few discs the histories of all are drawn, if none is named.
+const FEW: usize = 8;
+
+fn plot_history(arguments: &HistoryArguments) -> Result<(), Failure> {
+    let file = FrameFile::with_columns(&arguments.file, arguments.reading.columns.clone());
+    let target = Target::new(arguments.out.as_deref(), "history", "svg")?;
+    let (_, first) = file.frame(Some(0))?;
+    let n = first.rows.len();
+    let quantities: Vec<Quantity> = match arguments.quantities[..] {
+        [] => vec![Quantity::Y],
+        ref said => said.iter().map(|name| name.quantity()).collect(),
+    };
+    let discs = match arguments.disc[..] {
+        [] => (0..if n <= FEW { n } else { 1 }).collect(),
+        ref said => said.to_vec(),
+    };
+    if let Some(disc) = discs.iter().find(|disc| **disc >= n) {
+        let last = n.saturating_sub(1);
+        let why = format!("disc {disc} was asked for; its frames hold discs 0 to {last}");
+        return Err(PlotError::bad_file(&file.path, &why, &format!("--disc {last}")).into());
+    }
+    if quantities.iter().any(|quantity| quantity.is_of_velocity()) && !has_velocities(&first) {
+        return Err(PlotError::no_velocities(&file.path, "x and y only").into());
+    }
+    let mut history = History::begin(discs, quantities);
+    file.each_frame(arguments.until, |_, frame| {
+        history.add(&frame);
+        Ok(())
+    })?;
+    target.write(&history.figure(), &history.script(&target.stem))
 }

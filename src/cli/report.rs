@@ -98,8 +98,7 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let typed = results.iter().position(|(name, _)| name == record::COMMAND);
     let typed = typed.map(|k| results.remove(k).1);
     let scenario = said.map(|(_, scenario)| scenario);
-    let has_walls = scenario.as_ref().map_or(true, |scenario| scenario.walls);
-    let seen = Seen::of(&frames, whole - 1, has_walls)?;
+    let seen = Seen::of(&frames, whole - 1)?;
     // None was kept, or it has one line only.
     let rows = ledger(&folder.join("energy.csv")).unwrap_or_default();
     let no_gas = scenario.as_ref().map_or(Some(NoGas::Unknown), |scenario| no_gas(scenario, &rows));
@@ -139,22 +138,17 @@ struct Seen {
 }
 
 impl Seen {
-    /// Of the frames up to number `last`, without the box if there is none.
-    fn of(file: &FrameFile, last: usize, has_walls: bool) -> Result<Self, Failure> {
-        let shown = |mut frame: Frame| {
-            frame.side = frame.side.filter(|_| has_walls);
-            frame
-        };
+    /// Of the frames up to number `last`.
+    fn of(file: &FrameFile, last: usize) -> Result<Self, Failure> {
         let (mut survey, mut moments) = (Survey::begin(), Moments::default());
         file.each_frame(Some(last), |_, frame| {
-            survey.add(&shown(frame.clone()));
+            survey.add(&frame);
             moments.add(&frame);
             Ok(())
         })?;
         let (mut film, mut histogram) = (Film::begin(survey), Histogram::new(moments));
         let mut ends = [Frame::default(), Frame::default()];
         file.each_frame(Some(last), |index, frame| {
-            let frame = shown(frame);
             film.add(&frame);
             histogram.add(&frame);
             ends[usize::from(index > 0)] = frame;

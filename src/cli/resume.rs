@@ -21,7 +21,7 @@ use super::{Failure, memory};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
-use crate::output::number::seconds;
+use crate::output::number::{counted, seconds};
 use crate::output::place::folder_of;
 use crate::output::record;
 use crate::output::recorder::Recorder;
@@ -155,7 +155,7 @@ fn simulation(
     let particles = state.particles();
     let (n, said) = (particles.len(), scenario.n());
     if n != said {
-        return Err(format!("it has {n} discs, its scenario says {said}"));
+        return Err(format!("it has {}, its scenario says {said}", counted(n, "disc")));
     }
     let mut simulation = scenario.assemble(particles, state.is_of_crowd());
     simulation.set_state(&state);

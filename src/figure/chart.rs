@@ -1,6 +1,7 @@
 //! Curves and points between two axes, with grid and legend.
 
 use super::axis::{Axis, Placed};
+use super::end_label;
 use super::svg::{Anchor, Area, Svg, TEXT, number, text_width};
 
 /// How a series is drawn.
@@ -55,6 +56,8 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Lines of the legend without a mark.
     pub remarks: Vec<String>,
+    /// Whether curves have their names at their ends, and not in a legend.
+    pub is_labelled: bool,
 }
 
 /// Room for the labels of the vertical axis, at least; the same in charts below one another.
@@ -67,7 +70,8 @@ const SAMPLE: f64 = 24.0; // px, of a line in the legend
 impl Chart {
     /// An empty chart.
     pub fn new(title: &str, x: Axis, y: Axis) -> Self {
-        Self { title: title.to_owned(), x, y, series: Vec::new(), remarks: Vec::new() }
+        let (title, series, remarks) = (title.to_owned(), Vec::new(), Vec::new());
+        Self { title, x, y, series, remarks, is_labelled: false }
     }
 
     /// Draws the chart into `area`.
@@ -76,7 +80,8 @@ impl Chart {
         let x = self.x.fit(points().map(|point| point.0));
         let y = self.y.fit(points().map(|point| point.1));
         let title = if self.title.is_empty() { 12.0 } else { 34.0 };
-        let legend = self.legend_rows(area.width - LEFT - RIGHT);
+        let right = if self.is_labelled { end_label::room(&self.series) } else { RIGHT };
+        let legend = self.legend_rows(area.width - LEFT - right);
         let head = title + LEGEND_ROW * legend.len() as f64;
         let height = (area.height - head - BELOW).max(20.0);
         let (y_marks, y_power) = y.marks((height / 45.0) as usize);
@@ -85,7 +90,7 @@ impl Chart {
         let plot = Area {
             left: area.left + left,
             top: area.top + head,
-            width: (area.width - left - RIGHT).max(20.0),
+            width: (area.width - left - right).max(20.0),
             height,
         };
         let (x_marks, x_power) = fitting_marks(&x, plot.width);
@@ -100,6 +105,9 @@ impl Chart {
             frame.draw_series(svg, series);
         }
         svg.rectangle(plot, "fill=\"none\" stroke=\"black\"");
+        if self.is_labelled {
+            end_label::draw(svg, plot, &frame.ends(&self.series));
+        }
         let below = (plot.left + plot.width / 2.0, plot.bottom() + 42.0);
         svg.text(below, Anchor::Middle, &Placed::titled(&self.x.label, x_power));
         let beside = (plot.left - widest - 22.0, plot.top + plot.height / 2.0);
@@ -108,7 +116,7 @@ impl Chart {
 
     /// The entries of the legend, as many to a row as fit into `width`.
     fn legend_rows(&self, width: f64) -> Vec<Vec<Entry<'_>>> {
-        let named = self.series.iter().filter(|series| !series.name.is_empty());
+        let named = self.series.iter().filter(|one| !one.name.is_empty() && !self.is_labelled);
         let named = named.map(|series| (Some(series), series.name.as_str()));
         let remarks = self.remarks.iter().map(|text| (None, text.as_str()));
         let mut rows: Vec<Vec<Entry>> = Vec::new();
@@ -226,6 +234,15 @@ impl Frame {
             }
         }
         svg.end_group();
+    }
+
+    /// The named series with the last point of each that has a place, px.
+    fn ends<'a>(&self, series: &'a [Series]) -> Vec<(&'a Series, (f64, f64))> {
+        let end = |one: &'a Series| {
+            let last = self.runs(one).pop()?.pop()?;
+            (!one.name.is_empty()).then_some((one, last))
+        };
+        series.iter().filter_map(end).collect()
     }
 
     /// The series in pixels, cut where a point has no place.

@@ -1,25 +1,23 @@
 //! The drift study: how the energy error of one contact falls with the time step, and how the
 //! errors of many contacts add up over a run.
 
+mod runs;
+
 use std::fmt::Write;
 
+use self::runs::Runs;
 use super::axis::Axis;
 use super::chart::{Chart, Mark, Series};
-use super::colour::{self, OKABE_ITO, hex};
+use super::colour::OKABE_ITO;
 use super::gnuplot::{self, DataFile, quoted};
 use super::label::short;
 use super::{Figure, Panel};
 use crate::output::drift::{CurveRow, DriftRow};
 
 const GUIDE: &str = "#808080";
-const PANEL: (f64, f64) = (560.0, 560.0);
+const PANEL: (f64, f64) = (600.0, 540.0);
 const X_LEFT: &str = "time step, s";
 const Y_LEFT: &str = "|energy error| after one contact";
-const Y_RIGHT: &str = "|energy error|";
-/// Of other integrators than the first only the run of about so many steps in a contact is shown.
-const USUAL_NT: f64 = 50.0;
-/// Colour of these.
-const OTHERS: &str = "#000000";
 
 /// What makes one curve: case, integrator and restitution, and N_t where the curve runs over time.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,42 +107,7 @@ impl Keys {
     fn radius(&self, key: &Key) -> f64 {
         3.0 + 1.6 * (self.integrators.len() - 1 - self.integrator(key)) as f64
     }
-
-    /// From dark for the smallest N_t to light for the largest; black for other integrators.
-    fn shade(&self, key: &Key) -> String {
-        if self.integrator(key) > 0 {
-            return OTHERS.to_owned();
-        }
-        let last = self.nts.len().max(2) - 1;
-        hex(colour::at(position(&self.nts, &key.nt) as f64 / last as f64))
-    }
-
-    /// Dashes tell restitutions apart, and other integrators.
-    fn dash(&self, key: &Key) -> (&'static str, &'static str) {
-        let k = match self.integrator(key) {
-            0 => position(&self.restitutions, &key.restitution),
-            other => self.restitutions.len() + other - 1,
-        };
-        DASHES[k % DASHES.len()]
-    }
-
-    /// The curves that a panel of runs shows: all of the first integrator, one of each other, of
-    /// the first restitution.
-    fn shown(&self) -> Vec<&Key> {
-        let first = self.keys.iter().filter(|key| self.integrator(key) == 0);
-        let others = self.integrators.iter().skip(1).filter_map(|integrator| {
-            let same = self.keys.iter().filter(|key| key.integrator == *integrator);
-            let same = same.filter(|key| Some(&key.restitution) == self.restitutions.first());
-            let far = |key: &&Key| (key.nt.max(1e-9) / USUAL_NT).ln().abs();
-            same.min_by(|a, b| far(a).total_cmp(&far(b)))
-        });
-        first.chain(others).collect()
-    }
 }
-
-/// SVG's dashes and gnuplot's patterns, side by side.
-const DASHES: [(&str, &str); 5] =
-    [("", "1"), ("7 4", "'-'"), ("2 3", "'.'"), ("8 3 2 3", "'_.'"), ("12 4", "'_'")];
 
 fn distinct<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     let mut seen = Vec::new();
@@ -209,83 +172,53 @@ fn contacts_chart(rows: &[DriftRow]) -> Chart {
     chart
 }
 
-/// Cases of many contacts, in the order in which they first come.
-fn run_cases(curves: &[CurveRow]) -> Vec<String> {
-    distinct(curves.iter().map(|row| row.case.clone()))
-}
-
-fn keys_of_case(curves: &[CurveRow], case: &str) -> Keys {
-    Keys::of(curves.iter().filter(|row| row.case == case).map(Key::of_curve))
-}
-
-fn run_title(case: &str, keys: &Keys) -> String {
-    match keys.integrators.first() {
-        Some(integrator) => format!("Many contacts: {case}, {integrator}"),
-        None => format!("Many contacts: {case}"),
-    }
-}
-
-fn runs_chart(curves: &[CurveRow], case: &str) -> Chart {
-    let keys = keys_of_case(curves, case);
-    let title = run_title(case, &keys);
-    let mut chart = Chart::new(&title, Axis::linear("time, s"), Axis::log(Y_RIGHT));
-    for key in keys.shown() {
-        let same = curves.iter().filter(|row| Key::of_curve(row) == *key);
-        // Zeros, as at the start, have no place on the axis and need no gap.
-        let points = same.map(|row| (row.time_s, row.error.abs())).filter(|point| point.1 > 0.0);
-        let mark = Mark::Line(1.5, keys.dash(key).0);
-        chart.series.push(Series::new(&keys.name(key), &keys.shade(key), mark, points.collect()));
-    }
-    chart
-}
-
 /// The picture of a study: left the error after one contact against the time step, beside it the
-/// errors of the runs over time, a panel a case. All are sizes, on logarithmic axes. The runs of the
-/// first integrator of a case are shown, and one of every other.
+/// errors of the runs over time, a panel a case. All are sizes, on logarithmic axes.
 pub fn figure(rows: &[DriftRow], curves: &[CurveRow]) -> Figure {
     let mut panels = vec![Panel::Chart(contacts_chart(rows))];
-    for case in run_cases(curves) {
-        panels.push(Panel::Chart(runs_chart(curves, &case)));
-    }
+    panels.extend(Runs::of_cases(curves).iter().map(|runs| Panel::Chart(runs.chart())));
     Figure { columns: panels.len(), panels, panel: PANEL, strip: None }
 }
 
-/// The script that draws [`figure`] from `drift.csv` and `drift_energy.csv`.
-pub fn script(
-    stem: &str,
-    data: &DataFile,
-    energy: &DataFile,
-    (rows, curves): (&[DriftRow], &[CurveRow]),
-) -> String {
-    let cases = run_cases(curves);
-    let size = (PANEL.0 * (1 + cases.len()) as f64, PANEL.1);
+/// The script that draws [`figure`]: the left panel from `drift.csv`, the others from what was made of
+/// `drift_energy.csv`.
+pub fn script(stem: &str, data: &DataFile, (rows, curves): (&[DriftRow], &[CurveRow])) -> String {
+    let runs = Runs::of_cases(curves);
+    let columns = 1 + runs.len();
+    let size = (PANEL.0 * columns as f64, PANEL.1);
     let mut text = gnuplot::head(stem, "Drift of the energy", size, "png pdf");
+    for (k, runs) in runs.iter().enumerate() {
+        text += &runs.blocks(k);
+    }
     let _ = write!(
         text,
-        "if (!exists('file')) file = {}\nif (!exists('energy')) energy = {}\n\
-         set datafile separator comma columnheaders\n\
+        "if (!exists('file')) file = {}\n\
          set datafile missing NaN           # rows of other curves interrupt none\n\
          set key outside top center horizontal samplen 2 font ',9' noenhanced\n\
          set grid linecolor rgb 'gray85' ; set autoscale xfix\n\
          set logscale y ; set format y '10^{{%T}}'\n\
-         set multiplot layout 1,{}\n\
-         set logscale x ; set format x '10^{{%T}}'\n\
+         set multiplot layout 1,{columns}\n\
+         set datafile separator comma columnheaders\n\
+         set logscale x ; set xtics ({})\n\
          set title 'One contact'\nset xlabel '{X_LEFT}' ; set ylabel '{Y_LEFT}'\n",
         data.expression(),
-        energy.expression(),
-        1 + cases.len(),
+        time_step_marks(rows).join(", "),
     );
     let _ = writeln!(text, "plot {}", contact_curves(rows).join(", \\\n    "));
-    let _ = writeln!(
-        text,
-        "unset logscale x ; set format x '%g'\nset xlabel 'time, s' ; set ylabel '{Y_RIGHT}'"
-    );
-    for case in cases {
-        let keys = keys_of_case(curves, &case);
-        let (title, curves) = (quoted(&run_title(&case, &keys)), run_curves(&keys));
-        let _ = writeln!(text, "set title {title} noenhanced\nplot {}", curves.join(", \\\n    "));
+    text += "unset logscale x ; set xtics autofreq\n\
+             set datafile separator whitespace ; unset datafile columnheaders\n\
+             set key off ; set rmargin 24\n";
+    for (k, runs) in runs.iter().enumerate() {
+        text += &runs.script(k);
     }
     text + "unset multiplot\n"
+}
+
+/// The marks of the left panel's time axis, each with its text: a decade has but one power of ten.
+fn time_step_marks(rows: &[DriftRow]) -> Vec<String> {
+    let steps = rows.iter().filter(is_one_contact).map(|row| row.dt_s);
+    let (marks, _) = Axis::log(X_LEFT).fit(steps).marks(6);
+    marks.into_iter().map(|(mark, text)| format!("{} {mark:e}", quoted(&text))).collect()
 }
 
 /// A panel without curves still needs one for gnuplot.
@@ -312,20 +245,4 @@ fn contact_curves(rows: &[DriftRow]) -> Vec<String> {
     });
     let all: Vec<_> = guides.chain(curves).collect();
     if all.is_empty() { vec![NOTHING.to_owned()] } else { all }
-}
-
-fn run_curves(keys: &Keys) -> Vec<String> {
-    let curve = |key: &Key| {
-        let Key { case, integrator, restitution, nt } = key;
-        format!(
-            "energy using (strcol(1) eq {} && strcol(2) eq {} && $3 == {restitution:e} && $4 == {nt:e} \
-             && $6 != 0 ? $5 : NaN):(abs($6)) with lines lw 1.5 dt {} lc rgb '{}' title {}",
-            quoted(case),
-            quoted(integrator),
-            keys.dash(key).1,
-            keys.shade(key),
-            quoted(&keys.name(key))
-        )
-    };
-    keys.shown().into_iter().map(curve).collect()
 }

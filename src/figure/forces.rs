@@ -12,6 +12,7 @@ use super::scene::{Scene, Stroke, left_out};
 use crate::force::HalfPlane;
 use crate::neighbours::Neighbours;
 use crate::output::frames::{Frame, FrameRow};
+use crate::output::number::counted;
 use crate::particle::{Contact, ContactLaw, Particle};
 
 const FILL: [u8; 3] = [0xe5; 3];
@@ -105,8 +106,7 @@ fn title(frame: &Frame, links: &[Link]) -> String {
     };
     let contacts = match links.len() {
         0 => "no contacts".to_owned(),
-        1 => "1 contact".to_owned(),
-        n => format!("{n} contacts"),
+        n => counted(n, "contact"),
     };
     format!("{}{contacts}{most}{}", frame::time(frame), left_out(frame, frame::view(frame)))
 }

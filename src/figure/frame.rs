@@ -7,7 +7,7 @@ use super::colour;
 use super::gnuplot::{self, DataFile};
 use super::scene::{ColourBar, Disc, Extent, Scene, Stroke, View, left_out};
 use crate::output::frames::{Frame, FrameRow};
-use crate::output::number::seconds;
+use crate::output::number::{counted, seconds};
 
 /// The longest arrow, as a fraction of what is shown.
 pub const LONGEST_ARROW: f64 = 0.05;
@@ -120,8 +120,7 @@ pub fn view(frame: &Frame) -> View {
 }
 
 fn title(frame: &Frame, choice: Choice) -> String {
-    let n = frame.rows.len();
-    let discs = if n == 1 { "1 disc".to_owned() } else { format!("{n} discs") };
+    let discs = counted(frame.rows.len(), "disc");
     let rest = match choice {
         Choice { by: ColourBy::Nothing, vectors: false } => "",
         _ if frame.rows.iter().all(|row| row.velocity.is_none()) => "",

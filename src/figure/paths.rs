@@ -12,7 +12,7 @@ use super::scene::{Disc, Scene, left_out};
 use super::survey::Survey;
 use super::{Figure, Panel};
 use crate::output::frames::Frame;
-use crate::output::number::seconds;
+use crate::output::number::{counted, seconds};
 
 /// More discs than this have no paths drawn: they would be a tangle.
 pub const MOST_PATHS: usize = 50;
@@ -78,7 +78,9 @@ fn paths_title(survey: &Survey, last: &Frame) -> String {
     let until =
         last.time.map_or(String::new(), |time| format!(" until t = {} s", seconds(time, 4)));
     let outside = left_out(last, survey.view());
-    format!("Paths of {} discs{until}, {} frames{outside}", survey.discs, survey.frames)
+    let paths = if survey.discs == 1 { "Path" } else { "Paths" };
+    let (discs, frames) = (counted(survey.discs, "disc"), counted(survey.frames, "frame"));
+    format!("{paths} of {discs}{until}, {frames}{outside}")
 }
 
 fn rgb(colour: &str) -> [u8; 3] {
@@ -115,11 +117,43 @@ pub fn script(stem: &str, data: &DataFile, survey: &Survey, last: &Frame) -> Str
     text
 }
 
-/// Which of so many frames are shown as moments.
-pub fn moments(frames: usize) -> Vec<usize> {
-    let last = frames.saturating_sub(1);
-    let shown = MOMENTS.min(frames.max(1));
-    (0..shown).map(|k| (k * last + (shown - 1) / 2) / (shown - 1).max(1)).collect()
+/// How far the discs have come, gathered frame by frame: what happens, and when nothing does.
+#[derive(Clone, Debug, Default)]
+pub struct Travel {
+    places: Vec<DVec2>, // m, of the last frame
+    way: Vec<f64>,      // m, of all discs together until each frame
+}
+
+impl Travel {
+    /// Goes on to the next frame.
+    pub fn add(&mut self, frame: &Frame) {
+        let steps = self.places.iter().zip(&frame.rows);
+        let step: f64 = steps.map(|(from, row)| from.distance(row.position)).sum();
+        let so_far = self.way.last().copied().unwrap_or(0.0);
+        self.way.push(if step.is_finite() { so_far + step } else { so_far });
+        self.places.clear();
+        self.places.extend(frame.rows.iter().map(|row| row.position));
+    }
+
+    /// The frames that are shown as moments: the first, the last, and between them equal parts of the way that
+    /// the discs went. Discs that have come to rest are shown once.
+    pub fn moments(&self) -> Vec<usize> {
+        let last = self.way.len().saturating_sub(1);
+        let shown = MOMENTS.min(self.way.len().max(1));
+        let whole = self.way.last().copied().unwrap_or(0.0);
+        let mut chosen = vec![0];
+        for k in 1..shown {
+            let part = k as f64 / (shown - 1) as f64;
+            let wanted = match whole > 0.0 {
+                true => self.way.partition_point(|way| *way < part * whole),
+                false => (part * last as f64) as usize,
+            };
+            let room = last - (shown - 1 - k); // for those after it
+            let next = chosen[k - 1] + 1;
+            chosen.push(if k + 1 == shown { last } else { wanted.clamp(next, room) });
+        }
+        chosen
+    }
 }
 
 /// `t = 0.0100 s`, or which frame it is.

@@ -7,6 +7,7 @@ use super::colour::{SCALE, hex};
 use super::label::short;
 use super::svg::{Anchor, Area, Svg, TEXT, number};
 use crate::output::frames::Frame;
+use crate::output::number::counted;
 
 /// Room around the box, as a fraction of its side.
 pub const MARGIN: f64 = 0.03;
@@ -92,7 +93,7 @@ pub fn left_out(frame: &Frame, view: View) -> String {
     let out = frame.rows.iter().filter(|row| !view.holds(row.position)).count();
     match out {
         0 => String::new(),
-        _ => format!(", {out} of {} discs outside the picture", frame.rows.len()),
+        _ => format!(", {out} of {} outside the picture", counted(frame.rows.len(), "disc")),
     }
 }
 

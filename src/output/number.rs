@@ -24,6 +24,16 @@ pub fn seconds(time: f64, decimals: usize) -> String {
     if shows { format!("{time:.decimals$}") } else { format!("{time:.*e}", decimals - 1) }
 }
 
+/// So many of what `one` is the name of.
+///
+/// ```
+/// use parsim2d::output::number::counted;
+/// assert_eq!([counted(1, "disc"), counted(20, "disc")], ["1 disc", "20 discs"]);
+/// ```
+pub fn counted(n: usize, one: &str) -> String {
+    format!("{n} {one}{}", if n == 1 { "" } else { "s" })
+}
+
 /// Appends `value` in at most nine significant digits, without trailing zeros; in exponent form
 /// below 1e-4 and from 1e9 on.
 ///

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::number::seconds;
+use super::number::{counted, seconds};
 use crate::analysis::answer::Answer;
 
 /// Discs from which on a person may want to know the memory.
@@ -109,9 +109,10 @@ impl Summary {
         let speed = 1e-6 * self.particle_steps_per_s;
         let (start, end) = (self.energy_start_J, self.energy_end_J);
         let dissipated = self.dissipated_J.map(|d| format!(", {d:.6e} J dissipated"));
-        writeln!(out, "n        {n} discs, preset {preset}, seed {seed}")?;
+        writeln!(out, "n        {}, preset {preset}, seed {seed}", counted(*n, "disc"))?;
         writeln!(out, "dt       {dt_s:.4e} s ({}), {integrator}", self.who_set_dt())?;
-        writeln!(out, "run      {steps} steps to t = {} s{stopped}", seconds(*time_s, 6))?;
+        let steps = counted(*steps as usize, "step");
+        writeln!(out, "run      {steps} to t = {} s{stopped}", seconds(*time_s, 6))?;
         let threads = match self.threads {
             1 => String::new(),
             threads => format!(" on {threads} threads"),

@@ -6,6 +6,7 @@ use super::preset::Preset;
 use super::settings::{PlacementName, Settings};
 use super::{DampingChoice, DiscSource, Scenario};
 use crate::analysis::collision::{damping_ratio, restitution};
+use crate::output::number::counted;
 use crate::particle::Particle;
 
 /// Particle-steps a second on one core of a laptop; for a rough guess only.
@@ -160,8 +161,10 @@ impl Scenario {
         (deepest.relative > 1e-6).then(|| {
             let other = deepest.other.map_or("a wall".to_owned(), |other| format!("disc {other}"));
             format!(
-                "{many} overlaps at the start; the deepest, disc {} and {other}, is {:.3} r",
-                deepest.disc, deepest.relative
+                "{} at the start; the deepest, disc {} and {other}, is {:.3} r",
+                counted(many, "overlap"),
+                deepest.disc,
+                deepest.relative
             )
         })
     }

@@ -8,7 +8,7 @@ use parsim2d::output::drift::{CurveRow, DriftRow};
 use tempfile::TempDir;
 
 /// Every kind of picture on the files of a run, with its picture's name.
-pub const KINDS: [(&str, &str); 11] = [
+pub const KINDS: [(&str, &str); 13] = [
     ("frame out.txt", "frame.svg"),
     ("frame trajectory.txt --vectors -o arrows.svg", "arrows.svg"),
     ("frame trajectory.txt --colour radius --frame 1 -o radius.svg", "radius.svg"),
@@ -19,6 +19,8 @@ pub const KINDS: [(&str, &str); 11] = [
     ("velocity trajectory.txt", "velocity.svg"),
     ("forces trajectory.txt", "forces.svg"),
     ("speeds trajectory.txt --pool", "speeds.svg"),
+    ("history trajectory.txt", "history.svg"),
+    ("history trajectory.txt --disc 0 x y vx vy speed -o disc.svg", "disc.svg"),
     ("drift drift.csv", "drift.svg"),
 ];
 

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 
 use super::findings::{Outcome, blocks, orders, percent};
 use crate::analysis::drift::Course;
+use crate::output::number::counted;
 use crate::scenario::study::{Case, Study, StudyRun};
 
 pub(super) fn write(out: &mut impl Write, study: &Study, outcomes: &[Outcome]) -> io::Result<()> {
@@ -21,9 +22,10 @@ pub(super) fn write(out: &mut impl Write, study: &Study, outcomes: &[Outcome]) -
     }
     for case in [Case::Box, Case::Dense] {
         let scenario = &study.boxes()[usize::from(case == Case::Dense)];
-        let (n, radius, time) = (scenario.n(), scenario.radius, scenario.time);
+        let discs = counted(scenario.n(), "disc");
+        let (radius, time) = (scenario.radius, scenario.time);
         let title = if case == Case::Box { "The guide's box" } else { "A dense box" };
-        writeln!(out, "\n{title}: {n} discs of {radius:e} m, {time} s; largest, then at the end")?;
+        writeln!(out, "\n{title}: {discs} of {radius:e} m, {time} s; largest, then at the end")?;
         heading(out, study.nt().iter().copied(), "")?;
         for block in boxes.iter().filter(|block| block[0].0.case == case) {
             write_box(out, study.nt(), block)?;

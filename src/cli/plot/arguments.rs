@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
+use crate::figure::history;
 use crate::output::frames::layout::Layout;
 use crate::scenario::Scenario;
 use crate::scenario::error::ScenarioError;
@@ -23,6 +24,7 @@ Examples:
   parsim2d plot velocity trajectory.txt              the velocity field
   parsim2d plot forces trajectory.txt --kn 5e4       who presses on whom
   parsim2d plot speeds trajectory.txt --pool         speeds beside Maxwell's curve
+  parsim2d plot history trajectory.txt --disc 3 y vy a disc over time
 
 Beside every picture a gnuplot script of the same name is written, which draws the same:
   gnuplot energy.gp                                  writes energy.png
@@ -50,6 +52,8 @@ pub enum Kind {
     Forces(ForcesArguments),
     /// Histogram of speeds beside Maxwell's distribution in two dimensions
     Speeds(SpeedsArguments),
+    /// Discs over time: position, velocity, speed
+    History(HistoryArguments),
     /// The drift study: drift.csv, with drift_energy.csv beside it
     Drift(EnergyArguments),
 }
@@ -176,6 +180,54 @@ pub struct SpeedsArguments {
     /// The picture; the script beside it has its name [default: speeds.svg]
     #[arg(short, long, value_name = "FILE.svg")]
     pub out: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub struct HistoryArguments {
+    /// A file of frames: trajectory.txt
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What is drawn, a panel each: velocities need trajectory.txt [default: y]
+    #[arg(value_enum, value_name = "WHAT")]
+    pub quantities: Vec<QuantityName>,
+    /// Which disc, from 0, or several: 0,3,4 [default: all of up to 8, else 0]
+    #[arg(long, value_name = "K", value_delimiter = ',')]
+    pub disc: Vec<usize>,
+    /// Take frames 0 to K only [default: all]
+    #[arg(long, value_name = "K")]
+    pub until: Option<usize>,
+    #[command(flatten)]
+    pub reading: ReadingArguments,
+    /// The picture; the script beside it has its name [default: history.svg]
+    #[arg(short, long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum QuantityName {
+    /// From the left wall
+    X,
+    /// Above the floor
+    Y,
+    /// Velocity to the right
+    Vx,
+    /// Velocity upward
+    Vy,
+    /// Size of the velocity
+    Speed,
+}
+
+impl QuantityName {
+    /// What is drawn.
+    pub fn quantity(self) -> history::Quantity {
+        match self {
+            Self::X => history::Quantity::X,
+            Self::Y => history::Quantity::Y,
+            Self::Vx => history::Quantity::Vx,
+            Self::Vy => history::Quantity::Vy,
+            Self::Speed => history::Quantity::Speed,
+        }
+    }
 }
 
 /// The contact law is the run's: the same flags, the same defaults.

@@ -13,7 +13,9 @@ use crate::cli::typed::quoted;
 use crate::figure::gnuplot;
 use crate::output::frames::layout::Layout;
 use crate::output::frames::{Frame, Frames, Reading};
-use crate::output::place::plain_file;
+use crate::output::place::{plain_file, plain_text};
+use crate::output::record;
+use crate::scenario::file;
 
 /// The one file of a picture that shows one.
 pub(super) fn one_file<'a>(
@@ -89,6 +91,8 @@ pub struct FrameFile {
     told: RefCell<Vec<String>>,
     /// Whether gnuplot reads it as it was read here.
     is_plain: Cell<bool>,
+    /// Whether the record of the run beside it says that there are no walls: frames name the side of the box only.
+    is_open: bool,
 }
 
 impl FrameFile {
@@ -99,12 +103,24 @@ impl FrameFile {
 
     /// The same, with these columns if they are said by hand.
     pub fn with_columns(path: &Path, columns: Option<Layout>) -> Self {
+        let record = path.with_file_name(record::FILE);
+        let said = plain_text(&record).ok().and_then(|text| file::parse(&text, &record).ok());
+        let said = said.unwrap_or_default();
         Self {
             path: path.to_owned(),
             reading: Reading { columns, format: None },
             told: RefCell::default(),
             is_plain: Cell::new(true),
+            is_open: said.walls == Some(false) || said.no_walls == Some(true),
         }
+    }
+
+    /// `frame` as it is drawn.
+    fn drawn(&self, mut frame: Frame) -> Frame {
+        if self.is_open {
+            frame.side = None;
+        }
+        frame
     }
 
     /// Says once what is to be said of how the file was read.
@@ -179,7 +195,7 @@ impl FrameFile {
         let mut last = None;
         let mut frames = self.frames()?;
         for (index, frame) in frames.by_ref().enumerate() {
-            let frame = frame.map_err(|why| self.bad(&why, index, "--frame"))?;
+            let frame = self.drawn(frame.map_err(|why| self.bad(&why, index, "--frame"))?);
             progress.advance();
             let is_wanted = wanted == Some(index);
             last = Some((index, frame));
@@ -209,7 +225,8 @@ impl FrameFile {
         let mut seen = 0;
         let mut frames = self.frames()?;
         for (index, frame) in frames.by_ref().enumerate().take(wanted) {
-            see(index, frame.map_err(|why| self.bad(&why, index, "--until"))?)?;
+            let frame = frame.map_err(|why| self.bad(&why, index, "--until"))?;
+            see(index, self.drawn(frame))?;
             seen += 1;
         }
         self.tell(&frames);

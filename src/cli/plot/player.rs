@@ -9,10 +9,8 @@ use super::progress::Progress;
 use super::target::Target;
 use crate::analysis::energy::LedgerRow;
 use crate::cli::Failure;
-use crate::cli::told::Told;
 use crate::figure::survey::Survey;
 use crate::output::frames::Frame;
-use crate::output::record;
 use crate::page::film::Film;
 use crate::page::player;
 use crate::page::words::ENGLISH;
@@ -22,23 +20,18 @@ pub(super) fn plot(arguments: &TrajectoryArguments) -> Result<(), Failure> {
     let file = FrameFile::named(one_file("trajectory", &arguments.files)?);
     let target = Target::new(arguments.out.as_deref(), "trajectory", "html")?;
     target.data(&file.path)?; // is read, and not what is to be written
-    let film = film(&file, arguments, has_walls(&file.path))?;
+    let film = film(&file, arguments)?;
     let rows = film.times().map_or_else(Vec::new, |times| ledger_of(&file.path, &times));
     target.write_page(&player::alone(&film, &rows, &ENGLISH))
 }
 
 /// The frames that were asked for, in two passes through the file.
-fn film(
-    file: &FrameFile,
-    arguments: &TrajectoryArguments,
-    has_walls: bool,
-) -> Result<Film, Failure> {
+fn film(file: &FrameFile, arguments: &TrajectoryArguments) -> Result<Film, Failure> {
     let every = arguments.every.get();
     let each = |see: &mut dyn FnMut(&Frame), progress: &Progress| {
-        file.each_frame(arguments.until, |index, mut frame| {
+        file.each_frame(arguments.until, |index, frame| {
             progress.advance();
             if index % every == 0 {
-                frame.side = frame.side.filter(|_| has_walls);
                 see(&frame);
             }
             Ok(())
@@ -49,12 +42,6 @@ fn film(
     let mut film = Film::begin(survey);
     each(&mut |frame| film.add(frame), &Progress::begin(Some(survey.frames * every)))?;
     Ok(film)
-}
-
-/// Whether the run that wrote `file` had walls, as far as the record beside it tells.
-fn has_walls(file: &Path) -> bool {
-    let told = Told::read(&file.with_file_name(record::FILE)).ok();
-    told.and_then(|told| told.said.ok()).is_none_or(|(_, scenario)| scenario.walls)
 }
 
 /// The ledger beside `file`, if it is of the same time as the frames at `times` (s).
