@@ -37,6 +37,7 @@ mod one_folder;
 mod placement;
 mod plot_command;
 mod plots;
+mod readers;
 mod readme;
 mod report;
 mod restart;
