@@ -42,6 +42,7 @@ mod placement;
 mod player;
 mod plot_command;
 mod plots;
+mod readers;
 mod readme;
 mod records;
 mod report;

@@ -217,6 +217,27 @@ fn maxwells_curve_has_the_area_1_and_the_mean_square_2_s2() {
 }
 
 #[test]
+fn discs_of_several_masses_have_the_sum_of_their_distributions_at_one_temperature() {
+    // Two of 1 kg at 2 m/s and one of 4 kg at 1 m/s: kT = (4 + 4 + 4) / 3 / 2 = 2 J.
+    let rows = "# x y r vx vy m\n0 0 1 2 0 1\n5 0 1 0 -2 1\n0 5 1 1 0 4\n";
+    let mut moments = Moments::default();
+    moments.add(&read_frame(rows.as_bytes(), None).unwrap());
+    let histogram = Histogram::new(moments);
+    for speed in [0.3, 1.0, 2.5] {
+        let closed_form =
+            2.0 / 3.0 * maxwell(speed, 2f64.sqrt()) + maxwell(speed, 0.5f64.sqrt()) / 3.0;
+        assert!((histogram.equilibrium(speed) - closed_form).abs() < 1e-15); // rounding
+    }
+    // Equal masses, said or not: the one distribution.
+    for rows in ["0 0 1 2 0\n5 0 1 0 1\n", "# x y r vx vy m\n0 0 1 2 0 7\n5 0 1 0 1 7\n"] {
+        let mut moments = Moments::default();
+        moments.add(&read_frame(rows.as_bytes(), None).unwrap());
+        let density = Histogram::new(moments).equilibrium(1.0);
+        assert!((density - maxwell(1.0, (2.5f64 / 2.0).sqrt())).abs() < 1e-15); // rounding
+    }
+}
+
+#[test]
 fn the_histogram_counts_every_speed_once_and_knows_mean_and_rms() {
     // Speeds 0, 1, ... 99 m/s.
     let rows = (0..100).map(|v| format!("0 0 1 {v} 0\n")).collect::<String>();

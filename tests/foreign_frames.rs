@@ -53,6 +53,7 @@ fn each_column_is_what_its_heading_says() {
         ),
         ("# r x y m\n0.02 0.25 0.5 1e-3\n0.02 0.45 0.5 1e-3\n", &heavy),
         ("# x [m] y [m] r [m]\n0.25 0.5 0.02\n0.45 0.5 0.02\n", &bare),
+        ("% x y r\n0.25 0.5 0.02\n0.45 0.5 0.02\n", &bare),
         ("# Position and radius of each\n0.25 0.5 0.02\n0.45 0.5 0.02\n", &bare),
         ("X Y Diameter\n0.25 0.5 0.04\n0.45 0.5 0.04\n", &bare),
         ("x,y,vx,vy,radius,mass\n0.25,0.5,0.1,0,0.02,1e-3\n0.45,0.5,-0.1,0,0.02,1e-3\n", &whole),
@@ -190,7 +191,10 @@ fn what_cannot_be_read_says_what_is_missing_and_what_to_do() {
         (&format!("{atoms} # atomic\n\n1 1 0 0 0\n"), &["`atomic` have no radius"]),
         (&format!("{atoms}\n\n1 1 0 0 0\n"), &["`atomic` have no radius"]),
         (&format!("{atoms} # sphere\n"), &["cut off: 0 of 1"]),
-        ("\u{1f}\u{8b}", &[]),
+        (
+            "0,25,0,5,0,02\n0,45,0,5,0,02\n",
+            &["part columns or stand before decimals", "semicolons"],
+        ),
     ] {
         let answer = read(file, None).map(|(frame, _)| discs(&frame));
         // Names that are not those of the row are a remark, and no heading.

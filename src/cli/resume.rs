@@ -41,7 +41,8 @@ Examples:
 
 The files of the run must lie beside the checkpoint. They are cut back to its moment and continued, and
 end as if the run had never been interrupted. Physics cannot be changed on the way: start a run of its
-own, with --start trajectory.txt and another --out-dir.";
+own from a frame, which has positions, velocities, radii and masses (out.txt has not: x y r only), as
+  parsim2d last-run.toml --start trajectory.txt --out-dir next --nt 100";
 
 #[derive(Args)]
 pub(super) struct ResumeArguments {

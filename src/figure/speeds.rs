@@ -1,5 +1,7 @@
-//! Histogram of speeds beside Maxwell's distribution in two dimensions.
+//! Histogram of speeds beside Maxwell's distribution in two dimensions; of discs of several masses, beside
+//! the sum of theirs at one temperature.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::Figure;
@@ -30,13 +32,16 @@ pub fn maxwell(speed: f64, s: f64) -> f64 {
 }
 
 /// What a first look at the speeds tells.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     count: usize,
     sum: f64,         // m/s
     sum_squares: f64, // m2/s2
     largest: f64,     // m/s
     frames: usize,
+    /// How many discs have each mass (kg, by its bits), and the sum of their m v2, J.
+    masses: BTreeMap<u64, usize>,
+    sum_kinetic: f64,
 }
 
 impl Moments {
@@ -48,6 +53,11 @@ impl Moments {
             self.sum += speed;
             self.sum_squares += speed * speed;
             self.largest = self.largest.max(speed);
+        }
+        // Discs of which nobody says the mass are all alike.
+        for (mass, speed) in frame.rows.iter().map(|row| (row.mass.unwrap_or(1.0), speed(row))) {
+            *self.masses.entry(mass.to_bits()).or_default() += 1;
+            self.sum_kinetic += mass * speed * speed;
         }
     }
 
@@ -120,6 +130,36 @@ impl Histogram {
         self.moments.rms() / 2f64.sqrt()
     }
 
+    /// Density (s/m) at a `speed` (m/s) of discs in equilibrium that have the masses and the kinetic energy of
+    /// these: each mass m has a distribution of its own, s² = kT/m with kT = <m v²>/2.
+    pub fn equilibrium(&self, speed: f64) -> f64 {
+        let Moments { count, masses, sum_kinetic, .. } = &self.moments;
+        let count = *count as f64;
+        let of_mass = |(bits, n): (&u64, &usize)| {
+            let s = (0.5 * sum_kinetic / count / f64::from_bits(*bits)).sqrt();
+            *n as f64 / count * maxwell(speed, s)
+        };
+        masses.iter().map(of_mass).sum()
+    }
+
+    fn is_of_one_mass(&self) -> bool {
+        self.moments.masses.len() < 2
+    }
+
+    fn name_of_curve(&self) -> &'static str {
+        if self.is_of_one_mass() { "Maxwell, 2D" } else { "Maxwell, 2D, of these masses" }
+    }
+
+    /// Speeds (m/s) and densities (s/m) of the curve.
+    fn curve(&self) -> Vec<(f64, f64)> {
+        let (end, s) = (self.last_edge(), self.s());
+        let density = |speed| match self.is_of_one_mass() {
+            true => maxwell(speed, s),
+            false => self.equilibrium(speed),
+        };
+        (0..=POINTS).map(|k| end * k as f64 / POINTS as f64).map(|v| (v, density(v))).collect()
+    }
+
     fn has_curve(&self) -> bool {
         let s = self.s();
         !self.is_bare && s.is_finite() && s > 1e-300
@@ -160,10 +200,8 @@ pub fn figure(histogram: &Histogram, title: &str) -> Figure {
     let points = if histogram.is_at_rest() { Vec::new() } else { histogram.bars() };
     chart.series.push(Series::new("discs", BARS, bars, points));
     if histogram.has_curve() {
-        let s = histogram.s();
-        let at = |k| end * k as f64 / POINTS as f64;
-        let points = (0..=POINTS).map(|k| (at(k), maxwell(at(k), s))).collect();
-        chart.series.push(Series::new("Maxwell, 2D", CURVE, Mark::Line(2.0, ""), points));
+        let (name, points) = (histogram.name_of_curve(), histogram.curve());
+        chart.series.push(Series::new(name, CURVE, Mark::Line(2.0, ""), points));
     }
     chart.remarks.push(histogram.remark());
     Figure::of_chart(chart)
@@ -180,11 +218,14 @@ pub fn script(stem: &str, histogram: &Histogram, title: &str) -> String {
         "$speeds using 1:{} with boxes fs solid border lc rgb 'white' fc rgb '{BARS}' title 'discs'",
         if histogram.is_at_rest() { "(0)" } else { "2" }
     )];
-    if histogram.has_curve() {
+    let curve = format!("with lines lw 2 lc rgb '{CURVE}' title '{}'", histogram.name_of_curve());
+    if histogram.has_curve() && !histogram.is_of_one_mass() {
+        let point = |(speed, density)| format!("{speed:e} {density:e}");
+        text += &gnuplot::block("curve", histogram.curve().into_iter().map(point));
+        curves.push(format!("$curve using 1:2 {curve}"));
+    } else if histogram.has_curve() {
         let _ = writeln!(text, "s = {:e}                # m/s, s^2 = <v^2>/2", histogram.s());
-        curves.push(format!(
-            "x/s**2 * exp(-x**2 / (2*s**2)) with lines lw 2 lc rgb '{CURVE}' title 'Maxwell, 2D'"
-        ));
+        curves.push(format!("x/s**2 * exp(-x**2 / (2*s**2)) {curve}"));
     }
     curves.push(format!("keyentry title {}", quoted(&histogram.remark())));
     let _ = write!(

@@ -55,6 +55,13 @@ impl Separator {
         }
     }
 
+    /// Whether the commas of `line` may stand before decimals as well as between columns.
+    pub fn is_doubtful(self, line: &str) -> bool {
+        let is_whole =
+            |word: &str| word.trim_start_matches('-').bytes().all(|byte| byte.is_ascii_digit());
+        self.mark == Some(',') && self.words(line).count() > 3 && self.words(line).all(is_whole)
+    }
+
     /// Whether columns are parted by blanks, as gnuplot wants it.
     pub fn is_blank(self) -> bool {
         self.mark.is_none() && !self.has_decimal_commas

@@ -42,6 +42,9 @@ pub struct Table {
     is_narrow: bool,
 }
 
+/// What remarks begin with.
+const COMMENT: [char; 2] = ['#', '%'];
+
 /// What was done with a line.
 enum Step {
     /// It is taken.
@@ -101,7 +104,7 @@ impl Table {
 
     /// Takes a line after `gap` blank ones.
     fn take(&mut self, line: &Line, gap: usize, remarks: &mut Remarks) -> Result<Step, String> {
-        let comment = line.text.strip_prefix('#').map(Comment::of);
+        let comment = line.text.strip_prefix(COMMENT).map(Comment::of);
         let has_ended = gap > 0 || comment.as_ref().is_some_and(|comment| comment.is_head);
         if has_ended && !self.begun.rows.is_empty() {
             self.is_narrow |= gap < 2;

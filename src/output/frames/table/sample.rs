@@ -2,6 +2,7 @@
 
 use std::io::BufRead;
 
+use super::COMMENT;
 use crate::output::frames::comment::Comment;
 use crate::output::frames::guess::Sample;
 use crate::output::frames::lines::{Line, Lines};
@@ -34,11 +35,11 @@ impl Block {
         while declared.is_none_or(|n| block.len() < n) {
             let Some(line) = lines.next()? else { break };
             let is_head = |comment: &str| Comment::of(comment).is_head;
-            if line.text.is_empty() || line.text.strip_prefix('#').is_some_and(is_head) {
+            if line.text.is_empty() || line.text.strip_prefix(COMMENT).is_some_and(is_head) {
                 lines.put_back();
                 break;
             }
-            if line.text.starts_with('#') {
+            if line.text.starts_with(COMMENT) {
                 continue;
             }
             if line.is_cut && declared.is_some() {
@@ -56,6 +57,12 @@ impl Block {
     }
 
     fn add(&mut self, line: &Line, separator: Separator) -> Result<(), String> {
+        if self.numbers.is_empty() && separator.is_doubtful(&line.text) {
+            let why = "its commas may part columns or stand before decimals";
+            let way_out = "write decimals with points, or part columns by blanks or semicolons; if the commas part \
+                           columns, --columns says so";
+            return Err(format!("{why}\n  way out: {way_out}"));
+        }
         let before = self.numbers.len();
         for (column, word) in separator.words(&line.text).enumerate() {
             match separator.number(word) {
