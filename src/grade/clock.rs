@@ -67,9 +67,8 @@ impl Film {
         };
         let runs: Vec<(usize, Run)> = flights.runs.iter().enumerate().flat_map(long).collect();
         let seconds = flights.interval(rubric).filter(|_| rubric.law == Law::Spring);
-        let largest = seconds.map_or(LARGEST_PART, |interval| {
-            PI / (LEAST_STEPS * rubric.omega0(true) * interval)
-        });
+        let largest = seconds
+            .map_or(LARGEST_PART, |interval| PI / (LEAST_STEPS * rubric.omega0(true) * interval));
         let mut clock = Clock::even(&self, flights.pull, largest);
         let places: usize = runs.iter().map(|(_, run)| run.end + 1 - run.begin).sum();
         for round in 0..ROUNDS.min(MOST_WORK / places.max(1)).max(FIRST + 1) {
@@ -188,9 +187,8 @@ impl Clock {
         blurs.sort_by(f64::total_cmp);
         // Without what is made of something that was met unseen, or of frames that were lost.
         let middle = times[times.len() / 2];
-        let [begin, end] = [-1.1, 1.1].map(|factor| {
-            times.partition_point(|&time| time < middle + factor * self.largest)
-        });
+        let [begin, end] = [-1.1, 1.1]
+            .map(|factor| times.partition_point(|&time| time < middle + factor * self.largest));
         let (all, times) = (times.len(), &times[begin..end]);
         let [mut short, mut long] = [1, 19].map(|part| times[part * (times.len() - 1) / 20]);
         let mean = |some: &[f64]| some.iter().sum::<f64>() / some.len() as f64;
@@ -203,7 +201,8 @@ impl Clock {
         let part = long - short;
         let is_near = |time: &&f64| (*time - short).abs().min((*time - long).abs()) < 0.35 * part;
         let of_two = times.iter().filter(is_near).count();
-        let is_seen = 4 * times.len() > 3 * all && part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
+        let is_seen =
+            4 * times.len() > 3 * all && part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
         Some(Gap { part, is_seen, is_of_two: is_seen && 20 * of_two >= 17 * times.len() })
     }
 

@@ -37,7 +37,8 @@ impl Flags {
             let Some(kind) = kind(word) else { continue };
             let kept = if kind == Kind::Link { &mut flags.link } else { &mut flags.compile };
             // `-I include` and `-Iinclude` are one.
-            let takes_next = ["-I", "-D", "-L", "-l", "-include", "-isystem"].contains(&word.as_str());
+            let takes_next =
+                ["-I", "-D", "-L", "-l", "-include", "-isystem"].contains(&word.as_str());
             let next = takes_next.then(|| words.next_if(|next| is_plain(next))).flatten();
             let own: Vec<String> = [Some(word), next].into_iter().flatten().cloned().collect();
             if !kept.windows(own.len()).any(|known| known == own) {
