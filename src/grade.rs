@@ -9,6 +9,7 @@ pub mod bounce;
 pub mod check;
 pub mod clock;
 pub mod collision;
+pub mod columns;
 pub mod delay;
 pub mod digits;
 pub mod discs;
@@ -25,6 +26,7 @@ pub mod misread;
 pub mod mistake;
 pub mod momentum;
 pub mod near;
+pub mod overdamped;
 pub mod passing;
 pub mod picture;
 pub mod replay;
@@ -107,7 +109,13 @@ pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Optio
         }
     };
     report.decide(Check::Frames, || Status::Passed);
-    let film = film.before_it_blew_up().within(MOST_WORK);
+    report.notes.extend(film.is_taken.then_some(Note::ColumnsTaken));
+    let film = film.within(MOST_WORK);
+    let exploded = overdamped::first_frame(&film, rubric);
+    let film = match exploded {
+        Some(first) => film.before(first),
+        None => film.before_it_blew_up(),
+    };
     report.torn = film.torn;
     report.frames = film.frames.len();
     report.discs = film.n();
@@ -121,7 +129,7 @@ pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Optio
     let as_written = film.failure_as_written(Check::Radii);
     report.decide(Check::Radii, || as_written.unwrap_or_else(|| discs::radii(&film, rubric)));
     if report.passed(Check::Discs) {
-        judge(report, &film, rubric);
+        judge(report, &film, exploded.is_some(), rubric);
     } else {
         report.skip_frames();
     }
@@ -131,10 +139,13 @@ pub fn add_film(report: &mut Report, footage: Footage, rubric: &Rubric) -> Optio
 /// Adds `many`: a few frames of a box of a thousand discs, or why there are none.
 pub fn add_many(report: &mut Report, footage: Footage, n: usize, rubric: &Rubric) {
     report.decide(Check::Many, || many::verdict(footage, n, rubric));
+    let is_masked = report.status(Check::Many) == Some(&Status::Masked);
+    report.notes.extend(is_masked.then_some(Note::PrintedEtaExplodes));
 }
 
-/// The checks of motion, on discs that are all there in every frame.
-fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
+/// The checks of motion, on discs that are all there in every frame. `is_masked`: the film ends where the printed
+/// eta made a contact explode.
+fn judge(report: &mut Report, film: &Film, is_masked: bool, rubric: &Rubric) {
     let flights = Flights::of(film, rubric);
     report.uneven = flights.uneven;
     let bounces = bounce::all(film, &flights, rubric);
@@ -145,7 +156,7 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     report.decide(Check::Box, || film.failure_as_written(Check::Box).unwrap_or_else(inside));
     // Who has another box in mind fills it.
     let is_told = report.failed_by(Check::Box, Mistake::WallElsewhere);
-    report.decide(Check::Start, || match discs::start(film, rubric) {
+    report.decide(Check::Start, || match discs::start(film, &flights, rubric) {
         Status::Failed(why) if is_told && why.finding == Finding::StartsInWall => Status::NotSeen,
         other => other,
     });
@@ -158,8 +169,11 @@ fn judge(report: &mut Report, film: &Film, rubric: &Rubric) {
     judge_energy(report, film, (&flights, &bounces, &collisions), &springs, rubric);
     report.forgive_walls_that_were_shot_through();
     let is_explained = report.notes.contains(&Note::PrintedEta);
-    let is_little = report.is_little_judged() && !is_explained;
+    let is_little = report.is_little_judged() && !is_explained && !is_masked;
     report.notes.extend(is_little.then_some(Note::LittleJudged));
+    if is_masked {
+        return report.mask_contacts();
+    }
     report.lose_what_is_not_seen_out_of_the_box();
 }
 

@@ -206,6 +206,10 @@ impl Marker<'_> {
             graded.report.push(Check::Many, Status::Skipped(root));
             return Ok(());
         }
+        if graded.report.is_masked() {
+            graded.report.push(Check::Many, Status::Masked);
+            return Ok(());
+        }
         if !is_asked || !graded.report.is_asked_for(Check::Many) {
             graded.report.decide(Check::Many, || Status::NotSeen);
             return Ok(());

@@ -18,6 +18,8 @@ use super::words::{Finding, Quantity};
 pub struct Collision {
     /// The discs.
     pub discs: [usize; 2],
+    /// Frame before it.
+    pub begin: usize,
     /// Frame after it.
     pub frame: usize,
     /// How near their centres would have come, over the distance at which they touch.
@@ -121,6 +123,7 @@ fn meeting(
         frames - to_touch(way, relative, touch) - to_touch(way_after, -relative_after, touch);
     Some(Collision {
         discs,
+        begin,
         frame,
         aim,
         kicks,

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::film::Film;
-use super::flight::Flights;
+use super::flight::{Flights, median};
 use super::mistake::Mistake;
 use super::near::{WALLS, Wall};
 use super::rubric::{Law, Rubric};
@@ -253,9 +253,24 @@ impl Trip {
     }
 }
 
+/// How deep contacts may be that have begun before the first frame, m. A program that writes after its steps, and whose
+/// discs have speeds from the start, shows such: v/omega0 of the usual speed and twice of it, and no more than three
+/// tenths of a radius. Of those that start at rest nobody has got so far.
+fn under_way(film: &Film, flights: &Flights, rubric: &Rubric) -> f64 {
+    let Some(interval) = flights.interval(rubric).filter(|_| rubric.law == Law::Spring) else {
+        return 0.0;
+    };
+    let ways = (0..film.n()).map(|i| (film.at(1, i) - film.at(0, i)).length());
+    let usual = median(ways);
+    if usual < 4.0 * flights.pull.length() {
+        return 0.0;
+    }
+    (2.0 * usual / (rubric.omega0(true) * interval)).min(0.3 * film.radius(0))
+}
+
 /// Nobody overlaps anybody, or a wall, in the first frame.
-pub fn start(film: &Film, rubric: &Rubric) -> Verdict {
-    let blur = 4.0 * film.usual_blur();
+pub fn start(film: &Film, flights: &Flights, rubric: &Rubric) -> Verdict {
+    let blur = 4.0 * film.usual_blur() + under_way(film, flights, rubric);
     for i in 0..film.n() {
         let (position, radius) = (film.at(0, i), film.radius(i));
         let deepest = WALLS.iter().map(|(normal, _)| beyond(position, radius, *normal, rubric));

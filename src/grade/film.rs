@@ -33,6 +33,8 @@ pub struct Film {
     pub is_wild: bool,
     /// Whether the printed radii were diameters, and have been halved.
     pub halved: bool,
+    /// Whether its first three columns of more were taken for x, y and r, and nothing says that they are.
+    pub is_taken: bool,
     /// How it was written instead of `x y r` in m, if it was; it has been put right.
     pub misread: Option<Misread>,
     /// Side of the box, m.
@@ -43,12 +45,9 @@ pub struct Film {
 
 impl Film {
     /// The first frames, as many as make up so much `work`: frames times the square of discs.
-    pub fn within(mut self, work: usize) -> Self {
+    pub fn within(self, work: usize) -> Self {
         let n = self.n().max(1);
-        let most = (work / n.saturating_mul(n)).max(12);
-        self.frames.truncate(most);
-        self.follows.truncate(most);
-        self
+        self.before((work / n.saturating_mul(n)).max(12))
     }
 
     /// Discs in the first frame.
@@ -83,9 +82,16 @@ impl Film {
         self.blur(DVec2::splat(0.5 * self.side))
     }
 
+    /// The frames before this one.
+    pub fn before(mut self, frame: usize) -> Self {
+        self.frames.truncate(frame);
+        self.follows.truncate(frame);
+        self
+    }
+
     /// The film up to where a disc that had long left the box comes to infinity: that disc is judged by
     /// where it left, not by its last numbers.
-    pub fn before_it_blew_up(mut self) -> Self {
+    pub fn before_it_blew_up(self) -> Self {
         let is_bad = |spot: &Spot| !spot.position.is_finite();
         let Some(k) = self.frames.iter().position(|frame| frame.iter().any(is_bad)) else {
             return self;
@@ -94,8 +100,7 @@ impl Film {
         let before = k.checked_sub(1).map(|before| &self.frames[before]);
         let is_far = |spot: &Spot| spot.position.length() > far;
         if before.is_some_and(|frame| frame.iter().any(is_far)) {
-            self.frames.truncate(k);
-            self.follows.truncate(k);
+            return self.before(k);
         }
         self
     }
@@ -121,9 +126,8 @@ impl Film {
         let was_calm = !(1..frames.min(EARLY)).any(|k| goes(k, 0.1));
         let first = (1..frames).find(|&k| goes(k, 0.5)).filter(|_| was_calm);
         if let Some(k) = first {
-            self.frames.truncate(k);
-            self.follows.truncate(k);
             self.is_wild = true;
+            return self.before(k);
         }
         self
     }

@@ -8,9 +8,10 @@
 
 use glam::DVec2;
 
+use super::columns::named;
 use super::film::{Film, Spot};
 use super::headings::{Block, Headings};
-use super::lines::{COLUMNS, Reader};
+use super::lines::{COLUMNS, Reader, is_ended};
 use super::misread::{self, Misread};
 use super::mistake::Mistake;
 use super::rubric::Rubric;
@@ -29,6 +30,17 @@ pub enum Footage<'a> {
 }
 
 impl Footage<'_> {
+    /// The beginning of the first file.
+    fn first(&self) -> Option<&[u8]> {
+        const ENOUGH: usize = 1 << 14;
+        let bytes = match self {
+            Self::File(bytes) => bytes,
+            Self::Snapshots(all) => all.first()?.as_slice(),
+            Self::Nothing => return None,
+        };
+        Some(&bytes[..bytes.len().min(ENOUGH)])
+    }
+
     /// Whether there is nothing in it but blanks.
     fn is_blank(&self) -> bool {
         let is_blank = |bytes: &[u8]| bytes.iter().all(u8::is_ascii_whitespace);
@@ -43,17 +55,28 @@ impl Footage<'_> {
 /// The columns in which x, y and r should stand.
 const USUAL: [usize; 3] = [0, 1, 2];
 
-/// The film in what a program left, or why there is none. What another order of columns, another unit or another corner
-/// of the box makes right is put right, and [`Film::misread`] says so.
+/// The film in what a program left, or why there is none. A heading that names its columns is followed. What another
+/// order of columns, another unit or another corner of the box makes right is put right, and [`Film::misread`] says so.
 pub fn read(footage: Footage, rubric: &Rubric) -> Result<Film, Failure> {
-    let (film, sample) = read_columns(footage, rubric, USUAL)?;
+    let named = footage.first().and_then(|bytes| named(&String::from_utf8_lossy(bytes)));
+    let usual = read_columns(footage, rubric, USUAL);
+    // A slip in a heading is none in the rows below it.
+    let is_right = usual.as_ref().is_ok_and(|(film, _)| misread::has_radii_asked(film, rubric));
+    if let Some(columns) = named.filter(|&columns| columns != USUAL && !is_right) {
+        return read_columns(footage, rubric, columns).map(|(film, _)| film);
+    }
+    let (mut film, sample) = usual?;
     match misread::columns(&sample, rubric) {
         Some(columns) => {
             let (mut film, _) = read_columns(footage, rubric, columns)?;
             film.misread = Some(Misread::Columns(columns));
             Ok(film)
         }
-        None => Ok(film),
+        None => {
+            let is_more = sample.iter().any(|row| !row[3].is_nan());
+            film.is_taken = is_more && rubric.radius.is_empty() && named.is_none();
+            Ok(film)
+        }
     }
 }
 
@@ -113,8 +136,9 @@ fn read_columns(
     }
     let digits = reader.tally.digits();
     let (side, corner) = (rubric.side, DVec2::from(rubric.corner));
-    let (halved, misread, is_wild) = (false, None, false);
-    let mut film = Film { frames, follows, digits, torn, is_wild, halved, misread, side, corner };
+    let (halved, misread, is_wild, is_taken) = (false, None, false, false);
+    let mut film =
+        Film { frames, follows, digits, torn, is_wild, is_taken, halved, misread, side, corner };
     film.put_right(rubric);
     drop_border(&mut film, rubric);
     Ok((film, reader.sample))
@@ -142,7 +166,7 @@ fn file(bytes: &[u8], reader: &mut Reader) -> Vec<Block> {
     let headings = Headings::of(&passages, reader.shapes());
     let mut blocks: Vec<Block> =
         passages.iter().flat_map(|passage| headings.blocks(passage)).collect();
-    if blocks.len() > 2 && !bytes.ends_with(b"\n") {
+    if blocks.len() > 2 && !is_ended(bytes) {
         let last = blocks.last_mut().filter(|block| !block.rows.is_empty());
         last.into_iter().for_each(|block| block.bad_rows += 1);
     }
@@ -154,7 +178,7 @@ fn file(bytes: &[u8], reader: &mut Reader) -> Vec<Block> {
 /// Each snapshot is one frame. One without an end where the others have one was caught too early.
 fn snapshots(all: &[Vec<u8>], reader: &mut Reader) -> Vec<Block> {
     let all: Vec<&Vec<u8>> = all.iter().filter(|bytes| !bytes.is_empty()).collect();
-    let ends = all.iter().filter(|bytes| bytes.ends_with(b"\n")).count();
+    let ends = all.iter().filter(|bytes| is_ended(bytes)).count();
     let is_usual = 2 * ends > all.len();
     let (mut passages, mut whose) = (Vec::new(), Vec::new());
     for (k, bytes) in all.iter().enumerate() {
@@ -163,7 +187,7 @@ fn snapshots(all: &[Vec<u8>], reader: &mut Reader) -> Vec<Block> {
         passages.extend(own);
     }
     let headings = Headings::of(&passages, reader.shapes());
-    let bad_rows = |bytes: &Vec<u8>| usize::from(is_usual && !bytes.ends_with(b"\n"));
+    let bad_rows = |bytes: &Vec<u8>| usize::from(is_usual && !is_ended(bytes));
     let new = |bytes: &&Vec<u8>| Block { bad_rows: bad_rows(bytes), ..Block::default() };
     let mut blocks: Vec<Block> = all.iter().map(new).collect();
     for (k, passage) in whose.into_iter().zip(&passages) {

@@ -8,7 +8,7 @@ use super::digits::Tally;
 use super::film::Spot;
 
 /// Columns that are looked at when their order is in doubt.
-pub const COLUMNS: usize = 5;
+pub const COLUMNS: usize = 8;
 
 /// Rows of which all columns are kept.
 const SAMPLE: usize = 200;
@@ -50,6 +50,11 @@ pub enum Line {
 /// Lines between blank lines and remarks.
 pub type Passage = Vec<Line>;
 
+/// Whether the last line of a file has an end.
+pub fn is_ended(bytes: &[u8]) -> bool {
+    bytes.ends_with(b"\n") || bytes.ends_with(b"\r")
+}
+
 /// Reads lines, and keeps what is known of all of them.
 #[derive(Debug, Default)]
 pub struct Reader {
@@ -86,7 +91,9 @@ impl Reader {
         let text = String::from_utf8_lossy(bytes);
         let (mut passages, mut passage) = (Vec::new(), Passage::new());
         let mut has_sample = !self.sample.is_empty();
-        for line in text.trim_start_matches('\u{feff}').lines().map(str::trim) {
+        // Old Macs end lines with CR alone.
+        let end = if text.contains('\n') { '\n' } else { '\r' };
+        for line in text.trim_start_matches('\u{feff}').split(end).map(str::trim) {
             if !line.is_empty() && !line.starts_with('#') {
                 passage.push(self.line(line, has_sample));
             } else if !passage.is_empty() {

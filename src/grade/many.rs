@@ -7,6 +7,7 @@ use super::discs;
 use super::flight::Flights;
 use super::frames::{Footage, read};
 use super::mistake::Mistake;
+use super::overdamped;
 use super::rubric::Rubric;
 use super::verdict::{Failure, Status, Verdict};
 use super::words::Finding;
@@ -22,6 +23,7 @@ pub fn verdict(footage: Footage, n: usize, rubric: &Rubric) -> Verdict {
         Ok(film) if film.frames.len() < 2 => {
             return Status::Failed(Failure::too_few_frames(film.frames.len(), 2));
         }
+        Ok(film) if overdamped::first_frame(&film, &rubric).is_some() => return Status::Masked,
         Ok(film) => film.before_it_blew_up(),
         Err(failure) => return Status::Failed(failure),
     };
@@ -38,7 +40,7 @@ pub fn verdict(footage: Footage, n: usize, rubric: &Rubric) -> Verdict {
     }
     let film = film.with_true_radii(&rubric);
     let flights = Flights::of(&film, &rubric);
-    match discs::start(&film, &rubric) {
+    match discs::start(&film, &flights, &rubric) {
         Status::Passed => discs::inside(&film, &flights, CROWDED, None, &rubric),
         other => other,
     }

@@ -54,6 +54,12 @@ pub fn columns(sample: &[[f64; COLUMNS]], rubric: &Rubric) -> Option<[usize; 3]>
     orders.find(|&order| are_right(spots(order), rubric))
 }
 
+/// Whether there are radii that the rubric asks for, in m as they were read.
+pub fn has_radii_asked(film: &Film, rubric: &Rubric) -> bool {
+    let mut spots = film.frames.iter().flatten();
+    film.misread.is_none() && spots.any(|spot| has_right_radius(spot, rubric))
+}
+
 fn has_right_radius(spot: &Spot, rubric: &Rubric) -> bool {
     rubric.radius.iter().any(|asked| (spot.radius / asked - 1.0).abs() < 1e-3)
 }

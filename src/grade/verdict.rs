@@ -79,6 +79,8 @@ pub enum Status {
     NotSeen,
     /// It hangs on a check that failed.
     Skipped(Check),
+    /// What the assignment's own trap did to the discs hides it: see [`overdamped`](super::overdamped).
+    Masked,
 }
 
 /// What a check found: a status other than skipped.
@@ -188,6 +190,25 @@ impl Report {
         }
     }
 
+    /// Sets aside, at no cost, what contacts tell, for they did what the assignment's trap does.
+    pub fn mask_contacts(&mut self) {
+        use Check as C;
+        let is_shifted = self.failed_by(C::Box, Mistake::BoxShifted);
+        let is_hidden = |check: C| match check {
+            C::Box => !is_shifted,
+            check => check.is_of_motion() && check != C::FreeFlight,
+        };
+        for (_, status) in self.checks.iter_mut().filter(|(check, _)| is_hidden(*check)) {
+            *status = Status::Masked;
+        }
+        self.notes.push(Note::PrintedEtaExplodes);
+    }
+
+    /// Whether what contacts tell was set aside.
+    pub fn is_masked(&self) -> bool {
+        self.notes.contains(&Note::PrintedEtaExplodes)
+    }
+
     /// Discs whose energy grew without bound pass any wall in the end: that is one mistake, not two.
     pub fn forgive_walls_that_were_shot_through(&mut self) {
         let makers = [
@@ -271,7 +292,7 @@ impl Report {
                 (left * points, (1.0 - left) * points)
             }
             Status::Skipped(root) if self.rubric.skipped.is_lost(check, *root) => (0.0, points),
-            Status::Skipped(_) | Status::NotSeen => (0.0, 0.0),
+            Status::Skipped(_) | Status::NotSeen | Status::Masked => (0.0, 0.0),
         }
     }
 
@@ -352,6 +373,7 @@ impl Report {
             Status::Failed(_) => ("failed", Some(false)),
             Status::NotSeen => ("not_seen", None),
             Status::Skipped(_) => ("skipped", None),
+            Status::Masked => ("masked", None),
         };
         let needs = check.needs().filter(|needed| self.asked.contains(needed)).map(Check::id);
         let (earned, lost) = self.score(check, status);

@@ -129,6 +129,10 @@ pub enum Finding {
 pub enum Note {
     /// Discs that touch never part: eta_n as the guide prints it.
     PrintedEta,
+    /// Contacts multiply speeds: eta_n as the guide prints it, with the guide's own step.
+    PrintedEtaExplodes,
+    /// Columns were taken for x, y and r without a word of which they are.
+    ColumnsTaken,
     /// What ran was handed in, and the build did not make it anew.
     ProgramNotRebuilt,
     /// The program asks for more on its standard input than there is.
@@ -305,6 +309,8 @@ pub struct Words {
     pub not_told: &'static str,
     /// Said of `interface` where the rubric has no unit tests.
     pub no_interface: &'static str,
+    /// Said of a check that the assignment's trap hides.
+    pub masked: &'static str,
     /// Before the failed check that a skipped one hangs on.
     pub skipped: &'static str,
     /// Between points earned and all, and after those that are left out.

@@ -19,12 +19,12 @@ fn result(graded: &Graded, check: Check, status: &Status, words: &Words) -> Valu
     let passed = match status {
         Status::Passed => Some(true),
         Status::Failed(_) => Some(false),
-        Status::NotSeen | Status::Skipped(_) => None,
+        Status::NotSeen | Status::Skipped(_) | Status::Masked => None,
     };
     let (mut cause, mut log) = (Value::Null, Vec::new());
     match status {
         Status::Passed => {}
-        Status::NotSeen | Status::Skipped(_) => {
+        Status::NotSeen | Status::Skipped(_) | Status::Masked => {
             cause =
                 json!({"rationale": lines(graded, check, status, words).join(" "), "help": null});
         }

@@ -38,8 +38,10 @@ pub fn junit(entries: &[Entry], words: &Words) -> String {
 fn suite(graded: &Graded, words: &Words) -> String {
     let shown: Vec<_> = graded.shown(true).collect();
     let failures = shown.iter().filter(|(_, s)| matches!(s, Status::Failed(_))).count();
-    let skipped =
-        shown.iter().filter(|(_, s)| matches!(s, Status::Skipped(_) | Status::NotSeen)).count();
+    let skipped = shown
+        .iter()
+        .filter(|(_, s)| matches!(s, Status::Skipped(_) | Status::NotSeen | Status::Masked))
+        .count();
     let name = escaped(&one_line(&graded.name));
     let mut xml = format!(
         "<testsuite name=\"{name}\" tests=\"{}\" failures=\"{failures}\" errors=\"0\" skipped=\"{skipped}\" time=\"{:.3}\">\n<properties>\n",
@@ -72,7 +74,9 @@ fn case(graded: &Graded, check: Check, status: &Status, suite: &str, words: &Wor
             let kind = failure.cause.map_or_else(|| check.id().to_owned(), |cause| cause.id());
             format!("<failure message=\"{message}\" type=\"{kind}\">{text}</failure>")
         }
-        Status::NotSeen | Status::Skipped(_) => format!("<skipped message=\"{text}\"/>"),
+        Status::NotSeen | Status::Skipped(_) | Status::Masked => {
+            format!("<skipped message=\"{text}\"/>")
+        }
     };
     // Frames are judged together: no check has a time of its own.
     format!("<testcase name=\"{title}\" classname=\"{suite}\" time=\"0\">{inside}</testcase>\n")

@@ -72,7 +72,7 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Str
         Status::Passed => String::new(),
         Status::NotSeen if is_untold(report, check) => paragraph("kind", words.not_told),
         Status::NotSeen if is_without_tests(report, check) => paragraph("kind", words.no_interface),
-        Status::NotSeen => paragraph("kind", (words.kindly)(face)),
+        Status::NotSeen | Status::Masked => paragraph("kind", (words.kindly)(face)),
         Status::Skipped(root) if is_kept_back(graded, *root) => {
             paragraph("kind", (words.kindly)(Face::NotSeen))
         }

@@ -19,6 +19,7 @@ pub fn face(report: &Report, check: Check, status: &Status) -> Face {
         Status::Failed(_) => Face::Failed,
         Status::NotSeen => Face::NotSeen,
         Status::Skipped(_) => Face::Skipped,
+        Status::Masked => Face::Masked,
     }
 }
 
@@ -72,6 +73,7 @@ pub fn lines(graded: &Graded, check: Check, status: &Status, words: &Words) -> V
             vec![words.grade.no_interface.to_owned()]
         }
         Status::NotSeen => vec![words.grade.not_seen.to_owned()],
+        Status::Masked => vec![words.grade.masked.to_owned()],
         // Not a word of a check that students are not to see.
         Status::Skipped(root) if is_kept_back(graded, *root) => {
             vec![words.grade.not_seen.to_owned()]
@@ -167,7 +169,7 @@ pub fn text_of_student(graded: &Graded, words: &Words) -> String {
         let face = match status {
             Status::Passed => ":)",
             Status::Failed(_) => ":(",
-            Status::NotSeen | Status::Skipped(_) => ":|",
+            Status::NotSeen | Status::Skipped(_) | Status::Masked => ":|",
         };
         let _ = writeln!(text, "{face} {}: {}", check.id(), (words.grade.check)(*check).title);
         for line in lines(graded, *check, status, words) {

@@ -17,12 +17,14 @@ pub enum Face {
     NotSeen,
     /// It hangs on a check that failed.
     Skipped,
+    /// The assignment's own trap hides it.
+    Masked,
 }
 
 impl Face {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Passed, Self::Partly, Self::Failed, Self::NotSeen, Self::Skipped];
+    pub const ALL: [Self; 6] =
+        [Self::Passed, Self::Partly, Self::Failed, Self::NotSeen, Self::Skipped, Self::Masked];
 
     /// Its name in style sheets and files.
     pub fn id(self) -> &'static str {
@@ -32,6 +34,7 @@ impl Face {
             Self::Failed => "failed",
             Self::NotSeen => "not_seen",
             Self::Skipped => "skipped",
+            Self::Masked => "masked",
         }
     }
 
@@ -43,6 +46,7 @@ impl Face {
             Self::Failed => "✗",
             Self::NotSeen => "·",
             Self::Skipped => "–",
+            Self::Masked => "≈",
         }
     }
 }

@@ -23,6 +23,7 @@ pub const ENGLISH: Words = Words {
     expected: "expected",
     looks_like: "looks like",
     hint: "hint",
+    masked: "masked: the printed eta_n made contacts explode, and this cannot be seen behind it; no points are lost",
     not_seen: "not seen: nothing in these frames decides it",
     not_told: "not seen: the program is not told how many discs ({n} is neither in `arguments` nor in `stdin` of the rubric)",
     no_interface: "not seen: the rubric has no [interface]",
@@ -231,6 +232,18 @@ fn note(note: Note) -> &'static str {
             "discs that touch never part. That is what eta_n = 1.5e3 of the guide does if it is taken in \
              kg/s: 150 times critical damping. You did as told, and no points are lost; we think a minus \
              sign was lost in print. Try 1.5e-3 and see discs bounce."
+        }
+        Note::PrintedEtaExplodes => {
+            "contacts give back 12 times the speed and more, and soon numbers end. That is what eta_n = 1.5e3 of the \
+             guide does, if it is taken in kg/s, with the guide's own step: in one step of Eq. (2) the dashpot changes a \
+             velocity by eta_n dt/m of itself, which is 13 for N_t = 50 and 67 for N_t = 10, so it turns the velocity \
+             round and makes it larger, step after step. You did as told, and no points are lost. What this hides is \
+             masked: it is out of the total. We think a minus sign was lost in print. For the instructor: let it run \
+             again with eta_n = 1.5e-3, and grade what is seen then."
+        }
+        Note::ColumnsTaken => {
+            "there are more than three columns, no heading says which is which, and the rubric has no radius to know one \
+             by: the first three were taken for x, y and r."
         }
         Note::ProgramNotRebuilt => {
             "the program that ran was handed in as it is: the build found it newer than the sources, or makes another, \

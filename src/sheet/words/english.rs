@@ -58,6 +58,7 @@ fn face(face: Face) -> &'static str {
         Face::Failed => "not passed",
         Face::NotSeen => "not seen",
         Face::Skipped => "not asked yet",
+        Face::Masked => "masked",
     }
 }
 
@@ -65,6 +66,7 @@ fn kindly(face: Face) -> &'static str {
     match face {
         Face::NotSeen => "Nothing in these frames decides it. It costs no points.",
         Face::Skipped => "It can be judged only when this is right:",
+        Face::Masked => "It cannot be seen behind what the printed eta_n does. It costs no points.",
         Face::Passed | Face::Partly | Face::Failed => "",
     }
 }
