@@ -13,6 +13,7 @@ pub mod file;
 pub mod finding;
 pub mod framed;
 pub mod judgement;
+mod malformed;
 pub mod notes;
 mod number;
 mod overlap;

@@ -46,4 +46,5 @@ mod sheets;
 mod stability;
 mod stack;
 mod twin;
+mod words;
 mod workshop;

@@ -45,19 +45,35 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
             Ok(ExitCode::from(if is_unstable { 2 } else { 0 }))
         }
         Err(Failure::Scenario(error)) if json => {
-            let (text, way_out) = (error.to_string(), error.way_out());
-            let refused = json!({
-                "verdict": "refused",
-                "fault": error.fault(),
-                "value": error.value(),
-                "ways_out": way_out.into_iter().collect::<Vec<_>>(),
-                "sentence": text.split("\n  way out").next(),
-            });
-            writeln!(out, "{refused}")?;
-            Ok(ExitCode::from(2))
+            let ways_out = error.way_out().into_iter().collect();
+            let fault = (error.fault(), error.value());
+            write_refusal(&mut out, &error.to_string(), fault, ways_out)
+        }
+        Err(Failure::Refused(refusal)) if json => {
+            let file = arguments.scenario.as_deref().map(|file| file.display().to_string());
+            let fault = (file.unwrap_or_default(), None);
+            write_refusal(&mut out, &refusal.why, fault, vec![refusal.way_out])
         }
         Err(failure) => Err(failure),
     }
+}
+
+/// A refusal in the keys of a diagnosis; `fault` is a parameter and its value.
+fn write_refusal(
+    out: &mut impl Write,
+    text: &str,
+    fault: (String, Option<String>),
+    ways_out: Vec<String>,
+) -> Result<ExitCode, Failure> {
+    let refused = json!({
+        "verdict": "refused",
+        "fault": fault.0,
+        "value": fault.1,
+        "ways_out": ways_out,
+        "sentence": text.split("\n  way out").next(),
+    });
+    writeln!(out, "{refused}")?;
+    Ok(ExitCode::from(2))
 }
 
 fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) -> io::Result<()> {
