@@ -1,4 +1,4 @@
-//! All integration tests in one program, which links the library once: a file a topic, and `cargo test golden::`
+//! All integration tests in one program, which links the library once: a file a topic, and `cargo test --test all golden::`
 //! runs one of them.
 
 mod support;

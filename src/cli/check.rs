@@ -3,6 +3,8 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use anstream::AutoStream;
+use clap::builder::styling::AnsiColor;
 use serde_json::json;
 
 use super::Failure;
@@ -31,7 +33,8 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
         scenario.build()?; // places the discs: no change of the time step makes room for them
         Ok((scenario.diagnosis(), scenario.n() as f64 * scenario.steps() as f64))
     });
-    let mut out = io::stdout().lock();
+    // Without colours where nobody sees them: in a pipe, with NO_COLOR.
+    let mut out = AutoStream::auto(io::stdout().lock());
     match diagnosis {
         Ok((diagnosis, particle_steps)) => {
             match json {
@@ -81,7 +84,7 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) 
     writeln!(out, "{:<40} {:>11} {:>11}", "contact", "two discs", "wall")?;
     for figure in &diagnosis.figures {
         let [pair, wall] = [figure.pair, figure.wall].map(cell);
-        let verdict = figure.verdict.map(|v| format!("   {v}")).unwrap_or_default();
+        let verdict = figure.verdict.map(|v| format!("   {}", coloured(v))).unwrap_or_default();
         writeln!(out, "{:<40} {pair:>11} {wall:>11}{verdict}", figure.name)?;
     }
     writeln!(out, "a contact ends at {contact_end}; \"a fall\" is one at {speed_m_s:.3} m/s\n")?;
@@ -90,18 +93,29 @@ fn write_text(out: &mut impl Write, diagnosis: &Diagnosis, particle_steps: f64) 
     writeln!(out, "{step:<40} {:>11} {:>11}", "limit", "dt/limit")?;
     for limit in &diagnosis.limits {
         let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
-        writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, limit.verdict)?;
+        writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, coloured(limit.verdict))?;
     }
     writeln!(out, "{}", wrapped(CAVEAT, 80))?;
     let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
     writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes\n")?;
 
-    writeln!(out, "{}: {}", diagnosis.verdict, diagnosis.sentence)?;
+    writeln!(out, "{}: {}", coloured(diagnosis.verdict), diagnosis.sentence)?;
     for more in diagnosis.findings.iter().skip(1) {
-        writeln!(out, "also {}: {}", more.verdict, more.sentence())?;
+        writeln!(out, "also {}: {}", coloured(more.verdict), more.sentence())?;
     }
     if diagnosis.verdict == Verdict::Unstable {
         writeln!(out, "`run` refuses this; --allow-unstable runs it anyway, for the lesson")?;
     }
     Ok(())
+}
+
+/// The verdict in the colour of a traffic light.
+fn coloured(verdict: Verdict) -> String {
+    let colour = match verdict {
+        Verdict::Good => AnsiColor::Green,
+        Verdict::Coarse => AnsiColor::Yellow,
+        Verdict::Unstable => AnsiColor::Red,
+    };
+    let style = colour.on_default();
+    format!("{style}{verdict}{style:#}")
 }
