@@ -27,6 +27,7 @@ mod grade_report;
 mod grade_submissions;
 mod guard;
 mod hash_matrix;
+mod help;
 mod live;
 mod long_runs;
 mod neighbours;

@@ -88,7 +88,7 @@ fn defines(text: &str, name: &str) -> bool {
     let blocks = text.split("\nimpl").skip(1);
     let mut blocks = blocks.map(|block| block.split("\n}").next().unwrap());
     blocks.any(|block| {
-        let (head, body) = block.split_once('\n').unwrap();
+        let (head, body) = block.split_once('\n').unwrap_or((block, "")); // `impl A for B {}`
         let is_of = has(head, " for ", of) || has(head, " ", of) && !head.contains(" for ");
         is_of && body.lines().any(|line| has(line, "fn ", function))
     })

@@ -256,3 +256,32 @@ fn mistakes_in_a_scenario_file_are_told_with_the_line_as_it_should_be() {
     fs::write(folder.path().join("t.toml"), "\u{feff}n = 5\r\ntime = '1ms'\r\n").unwrap();
     parsim2d(folder.path(), &["t.toml"]).assert().success();
 }
+
+#[test]
+fn the_verdicts_of_a_diagnosis_have_colours_where_somebody_sees_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let shown = |arguments: &[&str], variables: &[(&str, &str)]| {
+        let mut command = parsim2d(folder.path(), arguments);
+        for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
+            command.env_remove(name);
+        }
+        let output = command.envs(variables.iter().copied()).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let good = ["check", "--radius", "5e-4"];
+    let unstable = ["check", "--eta", "1.5e3"];
+    let forced = ("CLICOLOR_FORCE", "1"); // as if the pipe were a terminal
+    let in_green = "\x1b[32mgood\x1b[0m: ";
+    assert!(shown(&good, &[forced]).contains(in_green), "{:?}", shown(&good, &[forced]));
+    let text = shown(&unstable, &[forced]);
+    assert!(
+        text.contains("\x1b[31munstable\x1b[0m: ") && text.contains("\x1b[32mgood"),
+        "{text:?}"
+    );
+    assert!(shown(&["check", "--nt", "10"], &[forced]).contains("\x1b[33mcoarse"));
+    for arguments in [&good[..], &unstable, &["check", "--eta", "1.5e3", "--json"]] {
+        for variables in [&[][..], &[forced, ("NO_COLOR", "1")]] {
+            assert!(!shown(arguments, variables).contains('\x1b'), "{arguments:?} {variables:?}");
+        }
+    }
+}
