@@ -3,13 +3,17 @@
 mod answer;
 mod check;
 mod claim;
+mod completions;
 mod convert;
 mod doctor;
 mod drift;
+mod file_kind;
 mod grade;
 mod interrupt;
 mod keeper;
+mod man;
 mod memory;
+mod mistyped;
 mod plot;
 mod presets;
 mod refusal;
@@ -40,12 +44,18 @@ use crate::scenario::wished::{Wish, wish};
 
 /// Runs the program on the process's arguments.
 pub fn run() -> ExitCode {
+    let words = typed::after_name();
+    if let Some(refusal) = mistyped::one_dash(&Cli::command(), &words) {
+        return refused(&refusal);
+    }
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            if let Some(refusal) = resume::flags::refusal(&error).or_else(|| wished(&error)) {
-                say::say("error", refusal);
-                return ExitCode::from(2);
+            let refusal = resume::flags::refusal(&error)
+                .or_else(|| wished(&error))
+                .or_else(|| mistyped::refusal(&Cli::command(), &words, &error));
+            if let Some(refusal) = refusal {
+                return refused(&refusal);
             }
             return not_parsed(&error);
         }
@@ -62,6 +72,8 @@ pub fn run() -> ExitCode {
         Some(Command::Report(arguments)) => report::report(&arguments),
         Some(Command::Resume(arguments)) => resume::resume(&arguments),
         Some(Command::Presets) => presets::print(),
+        Some(Command::Completions(arguments)) => completions::print(&arguments, Cli::command()),
+        Some(Command::Man(arguments)) => man::print(&arguments, Cli::command()),
     };
     // What is still to be written may find no room.
     let done = done.and_then(|code| io::stdout().flush().map(|()| code).map_err(Failure::from));
@@ -103,6 +115,12 @@ fn ended(done: Result<ExitCode, Failure>) -> ExitCode {
             failure.exit_code()
         }
     }
+}
+
+/// A command line that is not understood.
+fn refused(why: &Refusal) -> ExitCode {
+    say::say("error", why);
+    ExitCode::from(2)
 }
 
 /// What to say of `error` if a run, or `check`, was asked for something that is not there.
@@ -180,6 +198,12 @@ enum Command {
     Convert(Box<convert::ConvertArguments>),
     /// Say which optional programs are there, and what each is good for
     Doctor(doctor::DoctorArguments),
+    /// Print a script with which a shell completes subcommands and flags
+    #[command(after_help = completions::EXAMPLES)]
+    Completions(completions::CompletionsArguments),
+    /// Print the help as manual pages
+    #[command(after_help = man::EXAMPLES)]
+    Man(man::ManArguments),
 }
 
 /// Why a command did not do its work.
@@ -211,10 +235,23 @@ enum Failure {
 impl Failure {
     /// A single word that no file has for its name was probably meant as a subcommand.
     fn unknown_command(word: &str) -> Self {
+        let words = typed::after_name();
+        if let Some(refusal) = mistyped::stray(&words, word) {
+            return Self::Refused(refusal);
+        }
         let command = Cli::command();
         let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        let before =
+            words.iter().position(|this| this == word).and_then(|k| words.get(k.checked_sub(1)?));
         let advice = match word {
-            "true" | "false" => Some(format!("; a switch takes it with `=`: --border={word}")),
+            "true" | "false" => {
+                let flag =
+                    before.filter(|flag| flag.starts_with("--")).map_or("--border", |flag| flag);
+                Some(format!("; a switch takes it with `=`: {flag}={word}"))
+            }
+            _ if known.contains(&word) => {
+                Some(format!("; a subcommand comes first: parsim2d {word}"))
+            }
             _ => did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?")),
         };
         Self::UnknownCommand {

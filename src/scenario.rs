@@ -15,6 +15,7 @@ pub mod finding;
 pub mod framed;
 pub mod gravity;
 pub mod judgement;
+mod malformed;
 pub mod memory;
 pub mod notes;
 mod number;

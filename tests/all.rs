@@ -1,4 +1,4 @@
-//! All integration tests in one program, which links the library once: a file a topic, and `cargo test golden::`
+//! All integration tests in one program, which links the library once: a file a topic, and `cargo test --test all golden::`
 //! runs one of them.
 
 mod support;
@@ -32,6 +32,7 @@ mod grade_submissions;
 mod gravity;
 mod guard;
 mod hash_matrix;
+mod help;
 mod in_the_way;
 mod live;
 mod live_view;
@@ -58,4 +59,5 @@ mod stack;
 mod supplied;
 mod twin;
 mod wishes;
+mod words;
 mod workshop;

@@ -1,6 +1,6 @@
 //! The file of a checkpoint: what it holds comes back with every bit, and nothing damaged is believed.
 //!
-//! `PARSIM2D_CORRUPTIONS=10000 cargo test checkpoint_file::` tries as many; `make corruption-test`
+//! `PARSIM2D_CORRUPTIONS=10000 cargo test --test all checkpoint_file::` tries as many; `make corruption-test`
 //! does.
 
 use parsim2d::output::checkpoint::container::{self, Content, Flaw, Section};

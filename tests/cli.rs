@@ -267,42 +267,6 @@ fn a_reader_that_leaves_early_is_no_failure() {
 }
 
 #[test]
-fn every_example_of_the_help_runs() {
-    let folder = tempfile::tempdir().unwrap();
-    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    fs::create_dir(folder.path().join("examples")).unwrap();
-    let name = "examples/settling.toml";
-    fs::copy(examples.with_file_name(name), folder.path().join(name)).unwrap();
-    let helps = ["", "run", "check", "drift", "plot", "report", "doctor"];
-    for subcommand in helps {
-        let words = subcommand.split_whitespace().chain(["--help"]).collect::<Vec<_>>();
-        let output = command(folder.path(), &words).output().unwrap();
-        let help = text(&output.stdout);
-        let lines: Vec<&str> = help
-            .lines()
-            .filter_map(|line| line.trim().strip_prefix("parsim2d"))
-            .filter(|line| line.starts_with(' ') && line.contains("  "))
-            .collect();
-        let fewest = if subcommand == "doctor" { 0 } else { 3 };
-        assert!(lines.len() >= fewest, "{help}");
-        for line in lines {
-            let words = line.trim_start_matches(' ').split("  ").next().unwrap_or_default();
-            let words = if line.starts_with("   ") { "" } else { words };
-            let mut arguments: Vec<&str> = words.split_whitespace().collect();
-            let reads = ["plot", "report", "doctor"].contains(arguments.first().unwrap_or(&""));
-            // The run as shown, cut short; what a flag says last would count twice.
-            if !reads && !arguments.contains(&"--time") {
-                arguments.extend(["--time", "2ms"]);
-            }
-            let refused = arguments.contains(&"1.5e3"); // `check` shows why
-            let mut command = command(folder.path(), &arguments);
-            let code = if refused { 2 } else { 0 };
-            command.timeout(Duration::from_secs(60)).assert().code(code);
-        }
-    }
-}
-
-#[test]
 fn help_names_units_and_defaults() {
     let (output, _folder) = outcome(&["-h"]);
     let help = text(&output.stdout);

@@ -1,5 +1,6 @@
 //! What can go wrong, and whether the program names the parameter at fault: faults, and
-//! sensible inputs. `cargo test faults:: -- --nocapture` prints both tables.
+//! sensible inputs. `cargo test --test all faults:: -- --nocapture` prints both
+//! tables.
 #![allow(clippy::too_many_lines)] // tables of cases
 
 use std::fs;

@@ -176,3 +176,33 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn random_placement_ends_where_help_readme_and_errors_say() {
+    // A thousand discs of a radius that fills the box to `fraction`.
+    let placed = |fraction: f64, seed: u64| {
+        let radius = SIDE * (fraction / (1000.0 * std::f64::consts::PI)).sqrt();
+        place_discs(1000, radius, 1e-3, SIDE, seed)
+    };
+    // Two digits are said: at this one all seeds find room, at the next none does.
+    let (limit, next) = (placement::RANDOM_LIMIT, placement::RANDOM_LIMIT + 0.01);
+    for seed in 1..=3 {
+        assert!(placed(limit, seed).is_ok(), "seed {seed}");
+        assert!(placed(next, seed).is_err(), "seed {seed}");
+    }
+    let said = format!("near {limit}");
+    assert!(placed(next, 1).unwrap_err().to_string().contains(&said));
+
+    let mut command = assert_cmd::Command::cargo_bin("parsim2d").unwrap();
+    let help = String::from_utf8(command.arg("--help").output().unwrap().stdout).unwrap();
+    let readme = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+    let readme = std::fs::read_to_string(readme).unwrap();
+    for text in [help, readme] {
+        let numbers: Vec<&str> = text
+            .split("packing fraction of about ")
+            .skip(1)
+            .map(|rest| rest.split_whitespace().next().unwrap().trim_end_matches(','))
+            .collect();
+        assert_eq!(numbers, [limit.to_string()]);
+    }
+}

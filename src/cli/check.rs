@@ -3,6 +3,8 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use anstream::AutoStream;
+use clap::builder::styling::AnsiColor;
 use serde_json::json;
 
 use super::run::{RunArguments, scenario};
@@ -36,7 +38,8 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
         let particle_steps = scenario.n() as f64 * scenario.steps() as f64;
         Ok((scenario.diagnosis(), particle_steps, scenario.reading_of_the_guide()))
     });
-    let mut out = io::stdout().lock();
+    // Without colours where nobody sees them: in a pipe, with NO_COLOR.
+    let mut out = AutoStream::auto(io::stdout().lock());
     match diagnosis {
         Ok((diagnosis, particle_steps, reading)) => {
             match json {
@@ -50,19 +53,35 @@ pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
             Ok(ExitCode::from(if is_unstable { 2 } else { 0 }))
         }
         Err(Failure::Scenario(error)) if json => {
-            let (text, way_out) = (error.to_string(), error.way_out());
-            let refused = json!({
-                "verdict": "refused",
-                "fault": error.fault(),
-                "value": error.value(),
-                "ways_out": way_out.into_iter().collect::<Vec<_>>(),
-                "sentence": text.split("\n  way out").next(),
-            });
-            writeln!(out, "{refused}")?;
-            Ok(ExitCode::from(2))
+            let ways_out = error.way_out().into_iter().collect();
+            let fault = (error.fault(), error.value());
+            write_refusal(&mut out, &error.to_string(), fault, ways_out)
+        }
+        Err(Failure::Refused(refusal)) if json => {
+            let file = arguments.scenario.as_deref().map(|file| file.display().to_string());
+            let fault = (file.unwrap_or_default(), None);
+            write_refusal(&mut out, &refusal.why, fault, vec![refusal.way_out])
         }
         Err(failure) => Err(failure),
     }
+}
+
+/// A refusal in the keys of a diagnosis; `fault` is a parameter and its value.
+fn write_refusal(
+    out: &mut impl Write,
+    text: &str,
+    fault: (String, Option<String>),
+    ways_out: Vec<String>,
+) -> Result<ExitCode, Failure> {
+    let refused = json!({
+        "verdict": "refused",
+        "fault": fault.0,
+        "value": fault.1,
+        "ways_out": ways_out,
+        "sentence": text.split("\n  way out").next(),
+    });
+    writeln!(out, "{refused}")?;
+    Ok(ExitCode::from(2))
 }
 
 fn write_text(
@@ -75,7 +94,7 @@ fn write_text(
     writeln!(out, "{:<40} {:>11} {:>11}", "contact", "two discs", "wall")?;
     for figure in &diagnosis.figures {
         let [pair, wall] = [figure.pair, figure.wall].map(cell);
-        let verdict = figure.verdict.map(|v| format!("   {v}")).unwrap_or_default();
+        let verdict = figure.verdict.map(|v| format!("   {}", coloured(v))).unwrap_or_default();
         writeln!(out, "{:<40} {pair:>11} {wall:>11}{verdict}", figure.name)?;
     }
     writeln!(out, "a contact ends at {contact_end}; \"a fall\" is one at {speed_m_s:.3} m/s\n")?;
@@ -84,7 +103,7 @@ fn write_text(
     writeln!(out, "{step:<40} {:>11} {:>11}", "limit", "dt/limit")?;
     for limit in &diagnosis.limits {
         let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
-        writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, limit.verdict)?;
+        writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, coloured(limit.verdict))?;
     }
     writeln!(out, "{}", wrapped(CAVEAT, 80))?;
     let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
@@ -96,12 +115,23 @@ fn write_text(
     if let Some(reading) = reading {
         writeln!(out, "{}\n", wrapped(&format!("the damping: {reading}"), 80))?;
     }
-    writeln!(out, "{}: {}", diagnosis.verdict, diagnosis.sentence)?;
+    writeln!(out, "{}: {}", coloured(diagnosis.verdict), diagnosis.sentence)?;
     for more in diagnosis.findings.iter().skip(1) {
-        writeln!(out, "also {}: {}", more.verdict, more.sentence())?;
+        writeln!(out, "also {}: {}", coloured(more.verdict), more.sentence())?;
     }
     if diagnosis.verdict == Verdict::Unstable {
         writeln!(out, "`run` refuses this; --allow-unstable runs it anyway, for the lesson")?;
     }
     Ok(())
+}
+
+/// The verdict in the colour of a traffic light.
+fn coloured(verdict: Verdict) -> String {
+    let colour = match verdict {
+        Verdict::Good => AnsiColor::Green,
+        Verdict::Coarse => AnsiColor::Yellow,
+        Verdict::Unstable => AnsiColor::Red,
+    };
+    let style = colour.on_default();
+    format!("{style}{verdict}{style:#}")
 }

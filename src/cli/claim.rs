@@ -140,5 +140,7 @@ pub(super) fn keep_start(scenario: &Scenario) -> Result<(), Failure> {
 
 /// `path` as a person would type it.
 pub(super) fn shown(path: &Path) -> String {
-    path.strip_prefix(".").unwrap_or(path).to_string_lossy().into_owned()
+    let bare = path.strip_prefix(".").unwrap_or(path);
+    let said = if bare.as_os_str().is_empty() { path } else { bare }; // `.` itself
+    said.to_string_lossy().into_owned()
 }

@@ -223,7 +223,9 @@ fn plot_velocity(arguments: &VelocityArguments) -> Result<(), Failure> {
     let target = Target::new(arguments.out.as_deref(), "velocity", "svg")?;
     let (index, one) = file.frame(arguments.frame)?;
     if !has_velocities(&one) {
-        return Err(PlotError::no_velocities(&file.path, "parsim2d plot frame").into());
+        return Err(
+            PlotError::no_velocities(&file.path, "parsim2d plot frame, which needs none").into()
+        );
     }
     let script = velocity::script(&target.stem, &target.data(&file.path)?, index, &one);
     target.write(&velocity::figure(&one), &file.script(script))
@@ -283,7 +285,7 @@ pub(super) fn pooled_speeds(file: &FrameFile, until: Option<usize>) -> Result<Hi
         Ok(())
     })?;
     if !has_them {
-        return Err(PlotError::no_velocities(&file.path, "trajectory.txt has them").into());
+        return Err(PlotError::no_velocities(&file.path, "").into());
     }
     let mut histogram = Histogram::new(moments);
     file.each_frame(until, |_, frame| {
@@ -301,7 +303,7 @@ fn plot_speeds(arguments: &SpeedsArguments) -> Result<(), Failure> {
     } else {
         let (_, one) = file.frame(arguments.frame)?;
         if !has_velocities(&one) {
-            return Err(PlotError::no_velocities(&file.path, "trajectory.txt has them").into());
+            return Err(PlotError::no_velocities(&file.path, "").into());
         }
         let mut moments = Moments::default();
         moments.add(&one);

@@ -7,8 +7,11 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use super::claim::shown;
 use super::plot::{FrameFile, ledger};
+use super::refusal::Refusal;
 use super::told::{Told, Untold};
+use super::typed::quoted;
 use super::{Failure, answer};
 use crate::echo;
 use crate::figure::Figure;
@@ -70,6 +73,12 @@ pub(super) enum ReportError {
 
 pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     let folder = &arguments.folder;
+    if folder.is_file() {
+        let why = format!("{} is a file, not the folder of a run", shown(folder));
+        let folder = folder.parent().filter(|above| !above.as_os_str().is_empty());
+        let folder = folder.map_or(".".to_owned(), |folder| quoted(&shown(folder)));
+        return Err(Refusal { why, way_out: format!("parsim2d report {folder}") }.into());
+    }
     let out = arguments.out.clone().unwrap_or_else(|| folder.join("report.html"));
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html")) {
         return Err(ReportError::BadOut { path: out, why: "the report is a .html file" }.into());

@@ -10,6 +10,7 @@ use clap::Args;
 
 use self::refused::{is_done, not_continued, unfit, unreadable};
 use super::claim::Claim;
+use super::file_kind::FileKind;
 use super::interrupt::Interrupt;
 use super::keeper::Origin;
 use super::refusal::Refusal;
@@ -95,6 +96,9 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
         true => arguments.file.join(checkpoint::FILE),
         false => arguments.file.clone(),
     };
+    if let Some(kind) = FileKind::of(&file).filter(|kind| *kind != FileKind::Checkpoint) {
+        return Err(Failure::Refused(kind.in_place_of("a checkpoint", &file)));
+    }
     let from = folder_of(&file);
     let folder = arguments.out_dir.as_deref().unwrap_or(from);
     let mut claim = match arguments.out_dir.is_none() || is_same_folder(from, folder) {

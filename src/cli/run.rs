@@ -8,9 +8,9 @@ use clap::Args;
 use rand::TryRng;
 
 use super::claim::{Claim, keep_start, shown};
+use super::file_kind::{FileKind, near_scenario};
 use super::interrupt::Interrupt;
 use super::keeper::Origin;
-use super::refusal::Refusal;
 use super::stepping::Stepping;
 use super::typed::{self, quoted};
 use super::watch::placing_spinner;
@@ -20,7 +20,8 @@ use crate::output::OutputError;
 use crate::output::failure::FailureReport;
 use crate::output::recorder::Recorder;
 use crate::output::summary::Summary;
-use crate::output::{checkpoint, record, wants_room};
+use crate::output::{record, wants_room};
+use crate::scenario::error::ScenarioError;
 use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
@@ -31,7 +32,7 @@ use crate::work::Works;
 pub(super) struct RunArguments {
     /// Scenario file (TOML); flags override it
     #[arg(value_name = "SCENARIO.toml")]
-    scenario: Option<PathBuf>,
+    pub(super) scenario: Option<PathBuf>,
     #[command(flatten)]
     pub(super) settings: Settings,
     /// Print every choice of the run as a scenario file, and do not run
@@ -136,23 +137,12 @@ fn say(scenario: &Scenario, what: &str) {
     }
 }
 
-/// What to do with a folder in place of a scenario.
-fn of_folder(folder: &Path) -> Refusal {
-    let names = |name: &str| {
-        let path = folder.join(name);
-        path.is_file().then(|| quoted(&shown(&path)))
-    };
-    let record = names(record::FILE).filter(|_| record::is_there(folder));
-    let way_out = match (names(checkpoint::FILE), record) {
-        (Some(checkpoint), _) => {
-            format!("to go on with the run there: parsim2d resume {checkpoint}")
-        }
-        (None, Some(record)) => {
-            format!("to repeat the run there: parsim2d {record} --out-dir again")
-        }
-        (None, None) => "the name of a file, as examples/settling.toml".to_owned(),
-    };
-    Refusal { why: format!("{} is a folder, not a scenario", shown(folder)), way_out }
+/// The scenario file at `path`; what is none is told by what it is.
+fn read(path: &Path) -> Result<Settings, Failure> {
+    file::read(path).map_err(|why| match FileKind::of(path) {
+        Some(kind) => Failure::Refused(kind.in_place_of("a scenario", path)),
+        None => near_scenario(path).map_or(why.into(), Failure::Refused),
+    })
 }
 
 /// Flags over file over preset; and whether a seed was drawn that matters.
@@ -161,18 +151,18 @@ pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Fai
         Some(path) if path.extension().is_none() && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
         }
-        Some(path) if path.is_dir() => return Err(Failure::Refused(of_folder(path))),
-        Some(path) if checkpoint::is_one(path) => {
-            let path = shown(path);
-            return Err(Failure::Refused(Refusal {
-                why: format!("{path} is a checkpoint, not a scenario"),
-                way_out: format!("parsim2d resume {}", quoted(&path)),
-            }));
-        }
-        Some(path) => arguments.settings.clone().over(file::read(path)?),
+        Some(path) => arguments.settings.clone().over(read(path)?),
         None => arguments.settings.clone(),
     };
-    let scenario = Scenario::resolve(&said, drawn_seed)?;
+    let scenario = Scenario::resolve(&said, drawn_seed).map_err(|why| match &why {
+        ScenarioError::BadStart { path, .. } => match FileKind::of(path) {
+            Some(kind) if kind != FileKind::Frames => {
+                Failure::Refused(kind.in_place_of("a file of frames", path))
+            }
+            _ => why.into(),
+        },
+        _ => why.into(),
+    })?;
     let was_drawn = said.seed.is_none() && scenario.is_random();
     Ok((scenario, was_drawn))
 }

@@ -5,11 +5,15 @@ use crate::output::recorder::continued::Written;
 /// Flags that change no file of a run: where it writes, how often checkpoints, who computes it.
 const ELSEWHERE: [&str; 3] = ["--out-dir", "--checkpoint-every", "--threads"];
 
+/// The words behind the program's name, as they were typed.
+pub(super) fn after_name() -> Vec<String> {
+    std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect()
+}
+
 /// The words of the command as they were typed, without the folder it wrote to: the same command leaves the
 /// same files in any folder.
 fn words() -> Vec<String> {
-    let said = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
-    let words: Vec<String> = std::iter::once("parsim2d".to_owned()).chain(said).collect();
+    let words: Vec<String> = std::iter::once("parsim2d".to_owned()).chain(after_name()).collect();
     ELSEWHERE.iter().fold(words, |words, flag| without(words, flag))
 }
 

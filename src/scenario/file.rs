@@ -1,10 +1,11 @@
 //! Scenario files: TOML whose keys are the long flag names with `_` for `-`.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::error::ScenarioError;
+use super::malformed;
 use super::settings::Settings;
 use super::wished::{Wish, wish};
 use crate::echo;
@@ -13,10 +14,19 @@ use crate::echo;
 ///
 /// Unknown keys are errors that name the nearest known one, or say what is not there; mistakes are told with line and column.
 pub fn read(path: &Path) -> Result<Settings, ScenarioError> {
+    let unreadable = |source: io::Error| ScenarioError::Unreadable {
+        path: path.to_owned(),
+        source: match source.kind() {
+            io::ErrorKind::InvalidData => {
+                io::Error::other("it is not UTF-8, in which editors save plain text")
+            }
+            _ => source,
+        },
+    };
     let mut text = String::new();
     File::open(path)
         .and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text))
-        .map_err(|source| ScenarioError::Unreadable { path: path.to_owned(), source })?;
+        .map_err(unreadable)?;
     if text.len() as u64 > MOST_BYTES {
         return Err(ScenarioError::TooLong { path: path.to_owned(), most: MOST_BYTES });
     }
@@ -30,7 +40,8 @@ const MOST_BYTES: u64 = 16_000_000;
 pub fn parse(text: &str, path: &Path) -> Result<Settings, ScenarioError> {
     toml::from_str(text).map_err(|error| {
         let (line, column) = line_and_column(text, error.span().map_or(0, |span| span.start));
-        let message = message(error.message(), text.lines().nth(line - 1).unwrap_or_default());
+        let message = malformed::sentence(error.message(), text, line)
+            .unwrap_or_else(|| message(error.message()));
         ScenarioError::Malformed { path: path.to_owned(), line, column, message }
     })
 }
@@ -43,7 +54,7 @@ fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
 
 /// The parser's message in the words of a person; for an unknown key or name, with the nearest
 /// known one.
-fn message(original: &str, line: &str) -> String {
+fn message(original: &str) -> String {
     let mut quoted = original.split('`').skip(1).step_by(2);
     let is_unknown_key = original.starts_with("unknown field");
     if let (true, Some(unknown)) =
@@ -66,15 +77,10 @@ fn message(original: &str, line: &str) -> String {
         return "a list of tables is wanted: write [[disc]] or [[population]], in two brackets"
             .into();
     }
-    if has_decimal_comma(line) {
+    if plain.starts_with("expected [x, y], found 4 numbers") {
         return format!("{plain}; numbers take a dot, not a comma");
     }
     plain
-}
-
-fn has_decimal_comma(line: &str) -> bool {
-    let value = line.split('=').nth(1).unwrap_or_default().trim();
-    !value.starts_with(['[', '"', '\'']) && value.contains(',')
 }
 
 /// The guide's symbols, and one-letter ones, for keys with longer names.
@@ -101,7 +107,17 @@ pub fn did_you_mean<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     if let Some((_, key)) = SYMBOLS.iter().find(|(symbol, _)| *symbol == word) {
         return known.iter().copied().find(|near| near == key);
     }
-    let likeness = |known: &&str| strsim::jaro_winkler(&word.replace('-', "_"), known);
+    let word = word.replace('-', "_");
+    // One letter off, or two exchanged, is nearer than a long word that begins alike.
+    let likeness = |known: &&str| match strsim::osa_distance(&word, known) {
+        0 | 1 if known.len() > 2 => 1.0 + strsim::jaro_winkler(&word, known),
+        _ => strsim::jaro_winkler(&word, known),
+    };
+    // A part of one name only, as `verlet`.
+    let mut whole = known.iter().copied().filter(|known| word.len() > 3 && known.contains(&word));
+    if let (Some(only), None) = (whole.next(), whole.next()) {
+        return Some(only);
+    }
     known
         .iter()
         .copied()

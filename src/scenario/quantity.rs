@@ -24,7 +24,10 @@ macro_rules! dimensions {
         impl Dimension for $name {
             const SUFFIXES: &'static [(&'static str, f64)] = &[$(($suffix, $size)),+];
         }
-    )+};
+    )+
+        /// The suffixes of all dimensions.
+        const UNITS: &[&[(&str, f64)]] = &[$($name::SUFFIXES),+];
+    };
 }
 
 dimensions! {
@@ -46,6 +49,22 @@ dimensions! {
     Rate: "1/s" = 1.0, "/s" = 1.0, "Hz" = 1.0;
     /// A plain number.
     Number: "" = 1.0;
+}
+
+/// Whether `word` is a unit that some quantity takes: `mm`, `kN/m`.
+pub fn is_unit(word: &str) -> bool {
+    let mut units = UNITS.iter().flat_map(|units| units.iter());
+    units.any(|&(unit, _)| unit == word && !word.is_empty())
+}
+
+/// Whether `text` is a number and a unit, whatever is measured in it: `0.5mm`, `5 kN/m`.
+pub fn is_with_unit(text: &str) -> bool {
+    let text = text.trim();
+    let mut units =
+        UNITS.iter().flat_map(|units| units.iter()).filter(|(unit, _)| !unit.is_empty());
+    units.any(|(unit, _)| {
+        text.strip_suffix(unit).is_some_and(|number| number.trim_end().parse::<f64>().is_ok())
+    })
 }
 
 /// A number of threads: whole, and [`MOST_THREADS`] at most, which is checked with the scenario.
@@ -71,6 +90,7 @@ impl<D> TryFrom<Vec<Quantity<D>>> for Pair<D> {
     fn try_from(values: Vec<Quantity<D>>) -> Result<Self, String> {
         match values.as_slice() {
             [x, y] => Ok(Self { si: [x.si, y.si], dimension: PhantomData }),
+            [_] => Err("expected [x, y], found one number".to_owned()),
             _ => Err(format!("expected [x, y], found {} numbers", values.len())),
         }
     }

@@ -297,7 +297,7 @@ impl IntegratorName {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlacementName {
-    /// Uniformly at random, up to a packing fraction of about 0.54
+    /// Uniformly at random, up to a packing fraction of about 0.53
     #[default]
     Random,
     /// On a slightly jittered lattice: denser

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::cli::claim::shown;
 use crate::echo;
 
 /// Nothing has been written when this is returned.
@@ -60,12 +61,18 @@ impl PlotError {
         Self::BadFile { path: path.to_owned(), why: why.to_owned(), way_out: way_out.to_owned() }
     }
 
-    /// A file without the velocities that the picture shows.
-    pub fn no_velocities(path: &Path, way_out: &str) -> Self {
+    /// A file without the velocities that the picture shows; `or` is another way out, where there is one.
+    pub fn no_velocities(path: &Path, or: &str) -> Self {
+        let better = path.with_file_name("trajectory.txt");
+        let way_out = match better.is_file() && better != path {
+            true => format!("{}, which has them", shown(&better)),
+            false => "the trajectory.txt of the run, which has them".to_owned(),
+        };
+        let or = if or.is_empty() { String::new() } else { format!("; or {or}") };
         Self::bad_file(
             path,
             "its frame has no velocities (columns `x y r`)",
-            &format!("trajectory.txt, which has them; or {way_out}"),
+            &format!("{way_out}{or}"),
         )
     }
 }

@@ -2,12 +2,13 @@
 
 use std::cell::{Cell, RefCell};
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use super::error::PlotError;
 use super::progress::Progress;
 use crate::cli::Failure;
+use crate::cli::file_kind::FileKind;
 use crate::cli::say::say;
 use crate::cli::typed::quoted;
 use crate::figure::gnuplot;
@@ -42,26 +43,9 @@ fn open(path: &Path, command: &'static str) -> Result<File, PlotError> {
     })
 }
 
-/// What to do with a file that is not what was wanted, by how it begins.
-fn advice(path: &Path) -> Option<&'static str> {
-    let mut start = Vec::new();
-    let mut file = BufReader::new(plain_file(path).ok()?).take(200);
-    file.read_until(b'\n', &mut start).ok()?;
-    let start = String::from_utf8_lossy(&start).into_owned();
-    let is_row = |line: &str| line.split_whitespace().all(|word| word.parse::<f64>().is_ok());
-    match start.trim() {
-        s if s.starts_with("step,time_s") => Some("this is an energy ledger: parsim2d plot energy"),
-        s if s.starts_with("case,integrator,restitution,nt,dt_s") => {
-            Some("this is a drift study: parsim2d plot drift")
-        }
-        s if s.starts_with("case,integrator") => {
-            Some("this goes with drift.csv, the file to name: parsim2d plot drift drift.csv")
-        }
-        s if s.starts_with("# step ") || (!s.is_empty() && is_row(s)) => Some(
-            "this is a file of frames: parsim2d plot frame, trajectory, velocity, forces or speeds",
-        ),
-        _ => None,
-    }
+/// What to do with a file that is not what was wanted.
+fn advice(path: &Path) -> Option<String> {
+    FileKind::of(path).map(|kind| format!("this is {}: {}", kind.name(), kind.picture(path)))
 }
 
 /// Reads a csv file for a picture of this `kind`.
@@ -73,7 +57,11 @@ pub(super) fn read_table<T>(
     let command = if kind == "drift" { "parsim2d drift" } else { "parsim2d" };
     let rows = read(BufReader::new(open(path, command)?)).map_err(|why| {
         let advice = advice(path).filter(|_| why.starts_with("its columns"));
-        PlotError::bad_file(path, &why, advice.unwrap_or("repeat the run that wrote it"))
+        PlotError::bad_file(
+            path,
+            &why,
+            &advice.unwrap_or("repeat the run that wrote it".to_owned()),
+        )
     })?;
     if rows.is_empty() {
         let why = "it holds no rows";
@@ -164,7 +152,7 @@ impl FrameFile {
             return PlotError::bad_file(&self.path, why, way_out);
         }
         let way_out = match (whole, advice(&self.path)) {
-            (0, Some(advice)) if !advice.contains("frames") => advice.to_owned(),
+            (0, Some(advice)) if FileKind::of(&self.path) != Some(FileKind::Frames) => advice,
             (0, _) => "a file of frames, as `parsim2d` writes: out.txt, trajectory.txt. Of a run that went \
                        wrong, earlier frames are in trajectory.txt: --frame 0"
                 .to_owned(),

@@ -19,7 +19,7 @@ pub(super) fn is_done(file: &Path) -> Option<Refusal> {
     if file.exists() || other(file).is_some() {
         return None;
     }
-    end_of_run(folder_of(file)).filter(|(_, is_wrong)| !is_wrong).map(|(said, _)| said)
+    end_of_run(file).filter(|(_, is_wrong)| !is_wrong).map(|(said, _)| said)
 }
 
 /// The checkpoint `file` cannot be read.
@@ -30,7 +30,7 @@ pub(super) fn unreadable(file: &Path, why: &CheckpointError) -> Failure {
             way_out: "continue it with the version of parsim2d that wrote it".to_owned(),
         });
     }
-    match (file.exists(), other(file), end_of_run(folder_of(file))) {
+    match (file.exists(), other(file), end_of_run(file)) {
         (false, None, Some((end, _))) => Failure::Refused(end),
         (false, None, None) => Failure::Refused(Refusal {
             why: why.to_string(),
@@ -114,10 +114,14 @@ fn again(folder: &Path, is_whole: bool) -> String {
     }
 }
 
-/// What to say of a run in `folder` that has ended and left no checkpoint, by its record, and whether it went
-/// wrong.
-fn end_of_run(folder: &Path) -> Option<(Refusal, bool)> {
-    if record::is_foreign(folder) {
+/// What to say of a run that has ended and left no checkpoint `file`, by its record, and whether it went
+/// wrong; nothing if checkpoints have another name.
+fn end_of_run(file: &Path) -> Option<(Refusal, bool)> {
+    let folder = folder_of(file);
+    let is_named = |name: &str| file.file_name().is_some_and(|said| said == name);
+    if record::is_foreign(folder)
+        || ![checkpoint::FILE, checkpoint::PREVIOUS].into_iter().any(is_named)
+    {
         return None;
     }
     let path = folder.join(record::FILE);

@@ -1,0 +1,217 @@
+//! What was probably meant by words of the command line that are none of its flags and files.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command};
+
+use super::file_kind::FileKind;
+use super::refusal::Refusal;
+use crate::scenario::file::did_you_mean;
+use crate::scenario::quantity::is_unit;
+
+/// A long flag with one dash, `-radius`: clap would take it for `-r` and a value. Looked for before anything
+/// is read, as `-out x` is a good `-o ut`.
+pub(super) fn one_dash(command: &Command, words: &[String]) -> Option<Refusal> {
+    let flags = Flags::of(command, words);
+    let before = words.iter().take_while(|word| *word != "--");
+    let is_long = |word: &&String| {
+        word.len() > 2 && word.starts_with('-') && word.as_bytes()[1].is_ascii_alphabetic()
+    };
+    before.filter(is_long).find_map(|word| {
+        let (name, value) = word[1..].split_once('=').map_or((&word[1..], ""), |(n, v)| (n, v));
+        let long = flags.long(name)?;
+        let value = if value.is_empty() { String::new() } else { format!("={value}") };
+        Some(Refusal {
+            why: format!("-{name} has one dash; long flags have two"),
+            way_out: format!("--{long}{value}"),
+        })
+    })
+}
+
+/// What to say in place of clap's `error`, whose tips do not fit here.
+pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) -> Option<Refusal> {
+    let said = |kind| match error.get(kind) {
+        Some(ContextValue::String(said)) => Some(said.as_str()),
+        _ => None,
+    };
+    let flags = Flags::of(command, words);
+    match error.kind() {
+        ErrorKind::UnknownArgument => flags.unknown(words, said(ContextKind::InvalidArg)?),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
+            let (flag, value) = (said(ContextKind::InvalidArg)?, said(ContextKind::InvalidValue)?);
+            if let Some(ContextValue::Strings(known)) = error.get(ContextKind::ValidValue) {
+                return no_such_name(flag, value, known);
+            }
+            if value.starts_with('=') {
+                return Some(spaces_around_equals());
+            }
+            flags.not_whole(flag, value, &std::error::Error::source(error)?.to_string())
+        }
+        ErrorKind::InvalidSubcommand => {
+            let path = std::path::Path::new(said(ContextKind::InvalidSubcommand)?);
+            let kind = FileKind::of(path)?;
+            let why = format!(
+                "the kind of picture comes first, and {} is {}",
+                path.display(),
+                kind.name()
+            );
+            Some(Refusal { why, way_out: kind.picture(path) })
+        }
+        ErrorKind::ArgumentConflict => two_scenarios(words, said(ContextKind::InvalidSubcommand)?),
+        _ => None,
+    }
+}
+
+/// What to say of a `word` where a scenario or a subcommand was to come.
+pub(super) fn stray(words: &[String], word: &str) -> Option<Refusal> {
+    let before =
+        words.iter().position(|this| this == word).and_then(|k| words.get(k.checked_sub(1)?));
+    let refusal = |why: String, way_out: String| Some(Refusal { why, way_out });
+    if let Some(flag) = word.strip_prefix(['–', '—', '−']) {
+        let why = format!("{word} begins with a long dash, as some programs make of two hyphens");
+        return refusal(why, format!("--{}", flag.trim_start_matches(['-', '–', '—', '−'])));
+    }
+    let before = before?;
+    if is_unit(word) && before.parse::<f64>().is_ok() {
+        let why = format!("`{before} {word}` are two words to a shell");
+        return refusal(why, format!("no space before the unit: {before}{word}"));
+    }
+    (before == "=" || word == "=").then(spaces_around_equals)
+}
+
+fn spaces_around_equals() -> Refusal {
+    Refusal {
+        why: "there are spaces around `=`".to_owned(),
+        way_out: "a flag and its value: --radius 5e-4, or --radius=5e-4".to_owned(),
+    }
+}
+
+/// What to say of `value`, which is none of the names that the `flag` knows.
+fn no_such_name(flag: &str, value: &str, known: &[String]) -> Option<Refusal> {
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let (name, near) = (flag.split_whitespace().next()?, did_you_mean(value, &known)?);
+    // A value without a flag, as the shell of `completions`, is shown as <SHELL>.
+    let near = if name.starts_with('-') { format!("{name} {near}") } else { near.to_owned() };
+    Some(Refusal {
+        why: format!("{flag} knows no `{value}`; it knows {}", known.join(", ")),
+        way_out: near,
+    })
+}
+
+/// Two files, or a flag behind `--`.
+fn two_scenarios(words: &[String], second: &str) -> Option<Refusal> {
+    if let Some(refusal) = words.iter().find_map(|word| stray(words, word)) {
+        return Some(refusal);
+    }
+    if let Some(k) = words.iter().position(|word| word == "--") {
+        let rest = words[k + 1..].join(" ");
+        let why = format!("what stands behind `--` is no flag: {rest}");
+        return Some(Refusal { why, way_out: "leave out the `--`".to_owned() });
+    }
+    Some(Refusal {
+        why: format!("a run takes one scenario, and {second} is one word too many"),
+        way_out: "one command for each; a value goes behind its flag".to_owned(),
+    })
+}
+
+/// The flags of the subcommand that was typed, and of those above it.
+struct Flags {
+    all: Vec<Arg>,
+}
+
+impl Flags {
+    fn of(command: &Command, words: &[String]) -> Self {
+        let mut all: Vec<Arg> = command.get_arguments().cloned().collect();
+        let mut here = command;
+        for word in words {
+            if let Some(sub) = here.find_subcommand(word) {
+                here = sub;
+                // What the subcommand says of a flag is nearer.
+                all = here.get_arguments().cloned().chain(all).collect();
+            }
+        }
+        Self { all }
+    }
+
+    /// The long flag called `name`, by its own name, with `_` for `-`, or by another of its names.
+    fn long(&self, name: &str) -> Option<&str> {
+        let dashed = name.replace('_', "-");
+        self.all.iter().find_map(|flag| {
+            let long = flag.get_long()?;
+            let aliases = flag.get_all_aliases().unwrap_or_default();
+            (long == dashed || aliases.contains(&name)).then_some(long)
+        })
+    }
+
+    fn longs(&self) -> Vec<&str> {
+        self.all.iter().filter_map(Arg::get_long).collect()
+    }
+
+    /// What to say of `said`, which is no flag here.
+    fn unknown(&self, words: &[String], said: &str) -> Option<Refusal> {
+        let bare = said.strip_prefix('-').filter(|bare| !bare.starts_with('-'))?;
+        if bare.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+            return Some(self.negative(words, said));
+        }
+        // clap names the first letter only.
+        let word = words.iter().find(|word| word.starts_with(said)).map_or(said, String::as_str);
+        let name = word.trim_start_matches('-').split('=').next().unwrap_or_default();
+        let near = did_you_mean(name, &self.longs()).map(|near| format!("--{near}"));
+        Some(Refusal {
+            why: format!("there is no flag {word}"),
+            way_out: near.unwrap_or_else(|| "--help lists the flags".to_owned()),
+        })
+    }
+
+    /// What to say of a negative number behind a flag that takes none.
+    fn negative(&self, words: &[String], said: &str) -> Refusal {
+        let at = words.iter().position(|word| word == said);
+        let before = at.and_then(|k| words.get(k.checked_sub(1)?));
+        let flag = before.and_then(|word| {
+            let name = word.trim_start_matches('-');
+            let is_it = |flag: &&Arg| {
+                flag.get_long() == Some(name)
+                    || flag.get_short().is_some_and(|letter| name == letter.to_string())
+            };
+            self.all.iter().filter(|flag| flag.get_action().takes_values()).find(is_it)
+        });
+        match (before, flag) {
+            (Some(before), Some(flag)) => Refusal {
+                why: format!("{before} {said} is not possible: it cannot be negative"),
+                way_out: usage(flag),
+            },
+            _ => Refusal {
+                why: format!("there is no flag {said}"),
+                way_out: "a value goes behind its flag; --help lists them".to_owned(),
+            },
+        }
+    }
+
+    /// What to say of a `value` that clap's own reader of whole numbers refuses.
+    fn not_whole(&self, flag: &str, value: &str, why: &str) -> Option<Refusal> {
+        let least = match why {
+            "invalid digit found in string" | "cannot parse integer from empty string" => 0,
+            "number would be zero for non-zero type" => 1,
+            _ => return None,
+        };
+        let name = flag.split_whitespace().next()?;
+        let flag = self
+            .all
+            .iter()
+            .find(|flag| flag.get_long().is_some_and(|l| name == format!("--{l}")))?;
+        Some(Refusal {
+            why: format!("{name} {value} is not possible: it is a whole number, {least} or more"),
+            way_out: usage(flag),
+        })
+    }
+}
+
+/// A flag with its value and what the help says of it.
+fn usage(flag: &Arg) -> String {
+    let long = flag.get_long().unwrap_or_default();
+    let value = flag.get_value_names().and_then(|names| names.first());
+    let value = value.map_or("VALUE", |name| name.as_str());
+    let help = flag.get_help().map(ToString::to_string).unwrap_or_default();
+    let mut letters = help.chars();
+    let first = letters.next().map(|letter| letter.to_lowercase().to_string()).unwrap_or_default();
+    format!("--{long} {value}: {first}{}", letters.as_str())
+}
