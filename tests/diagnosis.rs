@@ -277,7 +277,11 @@ fn a_restitution_that_the_step_misses_is_told_with_the_step_that_meets_it() {
         findings.into_iter().find(|finding| finding.matter == Matter::Restitution)
     };
     // With N_t = 50 a contact of two discs gives 0.0910 for 0.1, and half of 0.01.
-    for (e, percent, nts) in [(0.1, "(-9 %)", 100.0..140.0), (0.01, "(-49 %)", 500.0..800.0)] {
+    for (e, percent, nts) in [
+        (0.1, "(-9 %)", 100.0..140.0),
+        (0.01, "(-49 %)", 500.0..800.0),
+        (1e-4, "(-100 %)", 3600.0..5000.0),
+    ] {
         let text = format!("radius = 5e-4\nrestitution = {e}");
         let found = about(&text).unwrap_or_else(|| panic!("{text}"));
         assert!(found.what.contains(percent) && found.what.contains("of two discs"), "{found:?}");
