@@ -28,6 +28,7 @@ mod grade_submissions;
 mod guard;
 mod hash_matrix;
 mod in_the_way;
+mod limits;
 mod live;
 mod long_runs;
 mod neighbours;
