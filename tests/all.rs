@@ -34,6 +34,7 @@ mod guard;
 mod hash_matrix;
 mod help;
 mod in_the_way;
+mod limits;
 mod live;
 mod live_view;
 mod long_runs;

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::DVec2;
 use parsim2d::integrator::SymplecticEuler;
@@ -160,4 +161,33 @@ fn a_run_that_ends_early_leaves_a_whole_frame_and_no_temporary_file() {
     drop(writer);
     assert_eq!(names(folder.path()), ["out.txt"]);
     assert!(fs::read(folder.path().join("out.txt")).unwrap() == written_here(&simulation));
+}
+
+#[test]
+fn who_reads_along_sees_whole_frames_and_always_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let (live, simulation) = (live(folder.path()), simulation(300));
+    let whole = written_here(&simulation);
+    live.refresh(&simulation).unwrap();
+    let is_done = AtomicBool::new(false);
+    let seen = std::thread::scope(|scope| {
+        let reader = scope.spawn(|| {
+            let mut seen = 0;
+            while !is_done.load(Ordering::Relaxed) {
+                let read = fs::read(&live.path).expect("there is always a frame");
+                assert!(read == whole, "{} bytes of {}", read.len(), whole.len());
+                seen += 1;
+            }
+            seen
+        });
+        (0..500).for_each(|_| live.refresh(&simulation).unwrap());
+        is_done.store(true, Ordering::Relaxed);
+        reader.join().unwrap()
+    });
+    assert!(seen > 0);
+    assert_eq!(names(folder.path()), ["out.txt"]);
+    // Where somebody has taken it away it comes again.
+    fs::remove_file(&live.path).unwrap();
+    live.refresh(&simulation).unwrap();
+    assert!(fs::read(&live.path).unwrap() == whole);
 }

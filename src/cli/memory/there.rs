@@ -44,10 +44,14 @@ fn free_in(meminfo: &str) -> Option<u64> {
 fn address_space_in(limits: &str, statm: &str) -> Option<u64> {
     // Of all sizes of pages the smallest: rather too little is taken for used than a possible run refused.
     const PAGE: u64 = 4096;
+    // The allocator keeps 64 MiB of addresses for each thread, as long as there are any: for the one that listens to
+    // signals, the one that writes out.txt, and a helper.
+    const RESERVED: u64 = 200_000_000;
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     let most: u64 = line.split_whitespace().next()?.parse().ok()?; // or "unlimited"
     let pages: u64 = statm.split_whitespace().next()?.parse().ok()?;
-    Some(most.saturating_sub(PAGE.saturating_mul(pages)))
+    let left = most.saturating_sub(PAGE.saturating_mul(pages));
+    Some(left - RESERVED.min(left / 2))
 }
 
 /// A control group that counts memory: its folder, and what its files are called there.
@@ -121,7 +125,9 @@ mod tests {
     fn a_limit_on_the_address_space_leaves_what_is_not_mapped() {
         let limits = "Limit  Soft Limit Hard Limit Units\nMax data size unlimited unlimited bytes\n\
                       Max address space         8192000              unlimited            bytes\n";
-        assert_eq!(address_space_in(limits, "1000 500 30 1 0 2 0"), Some(4_096_000));
+        assert_eq!(address_space_in(limits, "1000 500 30 1 0 2 0"), Some(2_048_000));
+        let large = limits.replace("8192000", "1004096000");
+        assert_eq!(address_space_in(&large, "1000 500"), Some(800_000_000));
         assert_eq!(address_space_in(limits, "1000000 500 30 1 0 2 0"), Some(0));
         assert_eq!(address_space_in(&limits.replace("8192000", "unlimited"), "1000 5"), None);
     }
