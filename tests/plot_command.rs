@@ -162,7 +162,7 @@ fn the_examples_of_the_help_work() {
         plot(folder.path(), arguments);
         seen += 1;
     }
-    assert_eq!(seen, 8, "{help}");
+    assert_eq!(seen, 9, "{help}");
 }
 
 #[test]

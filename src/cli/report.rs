@@ -33,7 +33,7 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   parsim2d report                          the run in this folder: report.html
   parsim2d report . -o handed_in.html      under another name
-  parsim2d report --name 'Ada Lovelace'    with the author's name
+  parsim2d report --name Lovelace          with the author's name
   parsim2d report --help                   this text
 
 The page needs no network: the run to look at, parameters, diagnosis, energy, frames, velocity field, speeds.
