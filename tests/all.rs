@@ -32,6 +32,7 @@ mod live_view;
 mod long_runs;
 mod neighbours;
 mod one_folder;
+mod over_time;
 mod placement;
 mod plot_command;
 mod plots;
