@@ -40,6 +40,7 @@ mod live_view;
 mod long_runs;
 mod neighbours;
 mod one_folder;
+mod over_time;
 mod placement;
 mod player;
 mod plot_command;

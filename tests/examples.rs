@@ -6,6 +6,8 @@ use parsim2d::particle::Particle;
 use parsim2d::scenario::{Scenario, file};
 use parsim2d::simulation::Simulation;
 
+use crate::support::gnuplot_is_missing;
+
 /// The named scenario as the program would run it with seed 1, and `more` keys over it.
 fn start(name: &str, more: &str) -> (Simulation, u64) {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -120,6 +122,11 @@ mod extensions {
     pub mod my_hook;
     #[path = "my_integrator.rs"]
     pub mod my_integrator;
+    #[path = "my_law.rs"]
+    pub mod my_law;
+    #[allow(dead_code)] // its `main` writes into the present folder
+    #[path = "my_output.rs"]
+    pub mod my_output;
 }
 
 #[test]
@@ -138,8 +145,79 @@ fn my_hook_taps_the_box_and_its_work_is_booked() {
 }
 
 #[test]
+fn my_law_meets_the_closed_forms_of_hertz() {
+    extensions::my_law::main();
+}
+
+#[test]
+fn my_output_writes_a_file_and_the_script_that_draws_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let [start, end] = extensions::my_output::write_heap(folder.path()).unwrap();
+    assert!(end < 0.5 * start, "{start} {end}");
+    let text = std::fs::read_to_string(folder.path().join("heap.dat")).unwrap();
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(' ').map(|word| word.parse().unwrap()).collect())
+        .collect();
+    assert!(rows.len() > 300, "{}", rows.len());
+    // As long as nothing touches the floor the heap falls as one disc, to Eq. (3)'s g dt t/2 < 3e-6 m.
+    for row in rows.iter().take_while(|row| row[0] < 0.01) {
+        assert!((row[1] - row[2]).abs() < 5e-6, "{row:?}");
+    }
+    if !gnuplot_is_missing("the script of my_output") {
+        let mut gnuplot = std::process::Command::new("gnuplot");
+        let drawn = gnuplot
+            .args(["-d", "-e", "set terminal pngcairo; set output 'heap.png'", "heap.gp"])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        assert!(drawn.status.success() && drawn.stderr.is_empty(), "{drawn:?}");
+        assert!(folder.path().join("heap.png").metadata().unwrap().len() > 5000);
+    }
+}
+
+/// What a run of an example prints.
+fn printed(name: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_parsim2d"))
+        .arg(path)
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn the_cradles_show_who_got_the_blow() {
+    let velocities = |name: &str| -> Vec<[f64; 4]> {
+        let text = printed(name);
+        let rows = text.lines().filter(|line| line.starts_with("disc "));
+        let numbers = |line: &str| {
+            let words: Vec<f64> =
+                line.split_whitespace().skip(2).map(|word| word.parse().unwrap()).collect();
+            [words[0], words[1], words[2], words[3]]
+        };
+        rows.map(numbers).collect()
+    };
+    for (name, last, first) in [
+        ("newtons_cradle.toml", 0.5, 0.0),
+        // Measured: 0.94 and -0.13 of the first speed.
+        ("newtons_cradle_touching.toml", 0.47, -0.065),
+    ] {
+        let rows = velocities(name);
+        assert_eq!(rows.len(), 5, "{name}: {rows:?}");
+        assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [0.5, 0.0, 0.0, 0.0, 0.0]);
+        assert!((rows[4][2] - last).abs() < 5e-3 && (rows[0][2] - first).abs() < 5e-3, "{rows:?}");
+    }
+    // Discs placed at random are no lesson of who met whom.
+    assert!(!printed("box_of_gas.toml").contains("velocity, m/s"));
+}
+
+#[test]
 fn extensions_fit_on_a_page() {
-    for name in ["my_force", "my_hook", "my_integrator"] {
+    for name in ["my_force", "my_hook", "my_integrator", "my_law", "my_output"] {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let path = path.join("examples").join(name).with_extension("rs");
         let lines = std::fs::read_to_string(path).unwrap().lines().count();

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
+use glam::DVec2;
 use rand::TryRng;
 
 use super::claim::{Claim, keep_start, shown};
@@ -87,7 +88,8 @@ pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<
     let summary = summary(scenario, &stepping);
     let command = format!("{} = {}", record::COMMAND, typed::line(&stepping.origin.command));
     stepping.record_results(&[vec![command], summary.results()].concat())?;
-    match report(scenario, &summary, stepping.origin.overlap) {
+    let velocities = answer::velocities(scenario, &stepping.simulation);
+    match report(scenario, &summary, stepping.origin.overlap, &velocities) {
         Err(error) if is_unheard(&error) => {}
         done => done?,
     }
@@ -228,13 +230,19 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
     }
 }
 
-fn report(scenario: &Scenario, summary: &Summary, start_overlap: f64) -> io::Result<()> {
+fn report(
+    scenario: &Scenario,
+    summary: &Summary,
+    start_overlap: f64,
+    velocities: &[[DVec2; 2]],
+) -> io::Result<()> {
     let mut out = io::stdout().lock();
     if scenario.output.json {
         summary.write_json(&mut out)?;
     } else if !scenario.output.quiet {
         summary.write_text(&mut out, remark(scenario, summary, start_overlap).as_deref())?;
         answer::write(&mut out, &summary.answer)?;
+        answer::write_velocities(&mut out, velocities)?;
     }
     out.flush()
 }
