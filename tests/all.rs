@@ -24,6 +24,7 @@ mod grade_interface;
 mod grade_long_runs;
 mod grade_messages;
 mod grade_report;
+mod grade_right;
 mod grade_submissions;
 mod guard;
 mod hash_matrix;
