@@ -28,6 +28,7 @@ mod grade_interface;
 mod grade_long_runs;
 mod grade_messages;
 mod grade_report;
+mod grade_right;
 mod grade_submissions;
 mod gravity;
 mod guard;

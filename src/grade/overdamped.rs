@@ -14,7 +14,7 @@ use glam::DVec2;
 use super::bounce::{self, Bounce};
 use super::collision::{self, Collision};
 use super::film::{Film, Spot};
-use super::flight::Flights;
+use super::flight::{Flights, median};
 use super::rubric::{Law, PrintedEta, Rubric};
 
 /// The damping that the guide prints, kg/s.
@@ -31,7 +31,7 @@ const LEAST: f64 = 5.0;
 const GROWTH: f64 = 5e4;
 
 /// The same a frame, if gravity does not tell how long that is: frames are at most some ms apart.
-const GROWTH_A_FRAME: f64 = 50.0;
+const GROWTH_A_FRAME: f64 = 20.0;
 
 /// So many times as far in a frame as anybody went before: no contact of springs does that.
 const JUMP: f64 = 4.0;
@@ -117,24 +117,29 @@ fn given_back(is_wall: bool, rubric: &Rubric) -> [f64; 2] {
 }
 
 /// The first frame to which a disc goes several times as far as anybody went before it, or to no number, from where
-/// it may have met something; few do at once.
+/// it may have met something.
 fn jump(film: &Film, flights: &Flights, rubric: &Rubric) -> Option<usize> {
     let way = |k: usize, i: usize| (film.at(k, i) - film.at(k - 1, i)).length();
-    // Before anybody has moved: what gravity does in a frame.
-    let mut most = 0.5 * flights.pull.length();
-    for k in 1..film.frames.len() {
+    let (n, frames) = (film.n(), film.frames.len());
+    // At first nobody has gone anywhere: twice what most do, and what gravity does in a frame.
+    let usual = if frames > 1 { median((0..n).map(|i| way(1, i))) } else { 0.0 };
+    let usual = if usual < 0.1 * film.side { usual } else { 0.0 };
+    let mut most = (2.0 * usual).max(0.5 * flights.pull.length());
+    for k in 1..frames {
         let is_jump = |i: &usize| {
             let way = way(k, *i);
-            way.is_nan() || k > 1 && way > JUMP * most || way > 0.5 * film.side
+            way.is_nan() || most > 0.0 && way > JUMP * most || way > 0.5 * film.side
         };
-        let jumpers: Vec<usize> = (0..film.n()).filter(is_jump).collect();
+        let jumpers: Vec<usize> = (0..n).filter(is_jump).collect();
         if !jumpers.is_empty() {
-            let reach = 4.0 * most + 4.0 * flights.pull.length() + 0.1 * film.radius(0);
-            let has_met = jumpers.iter().any(|&i| is_in_reach(film, k - 1, i, reach, rubric));
-            let are_few = jumpers.len() <= (film.n() / 2).max(1);
-            return (has_met && are_few).then_some(k);
+            let reach = JUMP * most + 4.0 * flights.pull.length() + 0.1 * film.radius(0);
+            let near = jumpers.iter().filter(|&&i| is_in_reach(film, k - 1, i, reach, rubric));
+            let near = near.count();
+            // Whoever divides by zero does it everywhere at once.
+            let has_met = near > 0 && (jumpers.len() < n || near == n);
+            return has_met.then_some(k);
         }
-        most = (0..film.n()).map(|i| way(k, i)).fold(most, f64::max);
+        most = (0..n).map(|i| way(k, i)).fold(most, f64::max);
     }
     None
 }

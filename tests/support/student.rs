@@ -77,19 +77,29 @@ pub struct Program {
     pub every: usize,
     pub frames: usize,
     pub seed: u64,
+    /// N_t of Eq. (2).
+    pub steps: f64,
+    /// A frame whenever the time has passed a multiple of this, s, in place of one every so many steps.
+    pub period: Option<f64>,
+    /// Whether discs start without speeds, as the guide has it.
+    pub at_rest: bool,
 }
 
 const STIFFNESS: f64 = 5e4;
 const MASS: f64 = 1e-3;
 const SIDE: f64 = 0.04;
-/// Eq. (2) with N_t = 30.
-const DT: f64 = 1.480_960_979_386_122e-5;
 
 type Disc = [f64; 4]; // x y vx vy
 
 impl Program {
     pub fn new(bug: Bug, seed: u64) -> Self {
-        Self { bug, n: 20, radius: 5e-4, eta: 0.0, every: 60, frames: 400, seed }
+        let (n, radius, eta, every, frames, steps) = (20, 5e-4, 0.0, 60, 400, 30.0);
+        Self { bug, n, radius, eta, every, frames, seed, steps, period: None, at_rest: false }
+    }
+
+    /// Eq. (2), s.
+    fn dt(&self) -> f64 {
+        std::f64::consts::PI * (MASS / STIFFNESS).sqrt() / self.steps
     }
 
     fn random(&mut self) -> f64 {
@@ -105,6 +115,7 @@ impl Program {
             let x = margin + (SIDE - 2.0 * margin) * self.random();
             let y = margin + (SIDE - 2.0 * margin) * self.random();
             let v = [self.random() - 0.5, self.random() - 0.5];
+            let v = if self.at_rest { [0.0; 2] } else { v };
             let is_free = |d: &Disc| (d[0] - x).hypot(d[1] - y) > 2.02 * r;
             if discs.iter().all(is_free) {
                 discs.push([x, y, v[0], v[1]]);
@@ -220,9 +231,9 @@ impl Program {
         for (disc, force) in discs.iter_mut().zip(forces) {
             for axis in 0..2 {
                 let old = disc[axis + 2];
-                disc[axis + 2] += force[axis] / MASS * DT;
+                disc[axis + 2] += force[axis] / MASS * self.dt();
                 let mover = if self.bug == Bug::ExplicitEuler { old } else { disc[axis + 2] };
-                disc[axis] += mover * DT;
+                disc[axis] += mover * self.dt();
             }
         }
     }
@@ -285,6 +296,7 @@ impl Program {
         let mut discs = self.place();
         let (mut out, mut held) = (String::new(), Vec::new());
         let mut sums = vec![[0.0; 2]; self.n];
+        let (mut time, mut next) = (0.0, 0.0);
         let printed = if self.bug == Bug::Diameter { 2.0 * self.radius } else { self.radius };
         for frame in 0..self.frames {
             if self.bug == Bug::OrderChanges && frame % 40 == 20 {
@@ -303,7 +315,10 @@ impl Program {
             }
             out.push('\n');
             let more = self.bug == Bug::UnevenFrames && self.random() < 0.5;
-            for _ in 0..if more { 2 * self.every } else { self.every } {
+            next += self.period.unwrap_or_default();
+            let mut left = if more { 2 * self.every } else { self.every };
+            while if self.period.is_some() { time < next } else { left > 0 } {
+                (time, left) = (time + self.dt(), left.saturating_sub(1));
                 let before = discs.clone();
                 self.step(&mut discs, &mut sums);
                 self.meddle(&mut discs, &before, &mut held);
