@@ -44,21 +44,9 @@ use crate::scenario::wished::{Wish, wish};
 
 /// Runs the program on the process's arguments.
 pub fn run() -> ExitCode {
-    let words = typed::after_name();
-    if let Some(refusal) = mistyped::one_dash(&Cli::command(), &words) {
-        return refused(&refusal);
-    }
-    let cli = match Cli::try_parse() {
+    let cli = match parsed(&typed::after_name()) {
         Ok(cli) => cli,
-        Err(error) => {
-            let refusal = resume::flags::refusal(&error)
-                .or_else(|| wished(&error))
-                .or_else(|| mistyped::refusal(&Cli::command(), &words, &error));
-            if let Some(refusal) = refusal {
-                return refused(&refusal);
-            }
-            return not_parsed(&error);
-        }
+        Err(code) => return code,
     };
     let done = match cli.command {
         None => run::run(&cli.run),
@@ -115,6 +103,19 @@ fn ended(done: Result<ExitCode, Failure>) -> ExitCode {
             failure.exit_code()
         }
     }
+}
+
+/// What was typed, the `words` behind the program's name; or, when all has been said, the exit code.
+fn parsed(words: &[String]) -> Result<Cli, ExitCode> {
+    if let Some(refusal) = mistyped::one_dash(&Cli::command(), words) {
+        return Err(refused(&refusal));
+    }
+    Cli::try_parse().map_err(|error| {
+        let refusal = resume::flags::refusal(&error)
+            .or_else(|| wished(&error))
+            .or_else(|| mistyped::refusal(&Cli::command(), words, &error));
+        refusal.map_or_else(|| not_parsed(&error), |refusal| refused(&refusal))
+    })
 }
 
 /// A command line that is not understood.
@@ -241,6 +242,11 @@ impl Failure {
         }
         let command = Cli::command();
         let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        if known.contains(&word) {
+            let why = format!("`{word}` stands where a scenario file was to be");
+            let way_out = format!("a subcommand comes first: parsim2d {word}");
+            return Self::Refused(refusal::Refusal { why, way_out });
+        }
         let before =
             words.iter().position(|this| this == word).and_then(|k| words.get(k.checked_sub(1)?));
         let advice = match word {
@@ -248,9 +254,6 @@ impl Failure {
                 let flag =
                     before.filter(|flag| flag.starts_with("--")).map_or("--border", |flag| flag);
                 Some(format!("; a switch takes it with `=`: {flag}={word}"))
-            }
-            _ if known.contains(&word) => {
-                Some(format!("; a subcommand comes first: parsim2d {word}"))
             }
             _ => did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?")),
         };

@@ -152,15 +152,24 @@ fn completions_are_accepted_by_their_shells_and_complete() {
     }
     if is_there("bash") {
         printed(folder.path(), "parsim2d completions bash > script");
-        let complete = |words: &str, last: usize| {
+        // As bash asks: the command, the word to complete, and the word before it.
+        let complete = |words: &str| {
+            let all: Vec<&str> = words.split(' ').collect();
+            let (last, before) = (all[all.len() - 1], all[all.len() - 2]);
             let ask = format!(
-                "source ./script; COMP_WORDS=({words}); COMP_CWORD={last}; _parsim2d; echo ${{COMPREPLY[@]}}"
+                "source ./script; COMP_WORDS=({words}); COMP_CWORD={}; _parsim2d parsim2d {last} {before}",
+                all.len() - 1
             );
-            printed(folder.path(), &format!("bash -c '{ask}'")).trim().to_owned()
+            printed(folder.path(), &format!("bash -c '{ask}; echo ${{COMPREPLY[@]}}'"))
         };
-        assert_eq!(complete("parsim2d plot traj", 2), "trajectory");
-        assert_eq!(complete("parsim2d --resti", 1), "--restitution");
-        assert_eq!(complete("parsim2d --integrator vel", 2), "velocity-verlet");
+        for (words, completed) in [
+            ("parsim2d plot traj", "trajectory\n"),
+            ("parsim2d --resti", "--restitution\n"),
+            ("parsim2d --integrator vel", "velocity-verlet\n"),
+            ("parsim2d -q tr", "\n"), // a switch takes no word
+        ] {
+            assert_eq!(complete(words), completed, "{words}");
+        }
     }
 }
 

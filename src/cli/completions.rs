@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::{Args, Command};
+use clap::{ArgAction, Args, Command};
 use clap_complete::Shell;
 
 use super::Failure;
@@ -27,11 +27,26 @@ pub(super) struct CompletionsArguments {
 /// Prints the script for `program`.
 pub(super) fn print(
     arguments: &CompletionsArguments,
-    mut program: Command,
+    program: Command,
 ) -> Result<ExitCode, Failure> {
+    let mut program = with_plain_switches(program);
     let name = program.get_name().to_owned();
     let mut script = Vec::new(); // the generator does not tell of a closed pipe
     clap_complete::generate(arguments.shell, &mut program, name, &mut script);
     io::stdout().write_all(&script)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Switches take `=true` and `=false`, which shells would offer as a word of its own, behind a space.
+fn with_plain_switches(command: Command) -> Command {
+    command
+        .mut_args(|flag| match flag.is_require_equals_set() {
+            true => flag
+                .num_args(0)
+                .require_equals(false)
+                .hide_possible_values(false)
+                .action(ArgAction::SetTrue),
+            false => flag,
+        })
+        .mut_subcommands(with_plain_switches)
 }

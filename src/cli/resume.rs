@@ -74,6 +74,18 @@ pub(super) struct ResumeArguments {
 }
 
 impl ResumeArguments {
+    /// The checkpoint that was named, by its folder or itself; what is none is told by what it is.
+    fn checkpoint(&self) -> Result<PathBuf, Failure> {
+        let file = match self.file.is_dir() {
+            true => self.file.join(checkpoint::FILE),
+            false => self.file.clone(),
+        };
+        match FileKind::of(&file).filter(|kind| *kind != FileKind::Checkpoint) {
+            Some(kind) => Err(Failure::Refused(kind.in_place_of("a checkpoint", &file))),
+            None => Ok(file),
+        }
+    }
+
     /// What is said now, as settings over those of the run that go on in `folder`. How a run is computed,
     /// and not what, may be said here too.
     fn changes(&self, folder: &Path) -> Settings {
@@ -92,13 +104,7 @@ impl ResumeArguments {
 
 pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let interrupt = Interrupt::listen();
-    let file = match arguments.file.is_dir() {
-        true => arguments.file.join(checkpoint::FILE),
-        false => arguments.file.clone(),
-    };
-    if let Some(kind) = FileKind::of(&file).filter(|kind| *kind != FileKind::Checkpoint) {
-        return Err(Failure::Refused(kind.in_place_of("a checkpoint", &file)));
-    }
+    let file = arguments.checkpoint()?;
     let from = folder_of(&file);
     let folder = arguments.out_dir.as_deref().unwrap_or(from);
     let mut claim = match arguments.out_dir.is_none() || is_same_folder(from, folder) {
