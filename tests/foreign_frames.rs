@@ -100,6 +100,8 @@ fn without_a_heading_only_what_is_certain_is_read_and_nothing_is_guessed_in_sile
         ("0.25 0.5 0.02 0.1 0\n0.45 0.5 0.02 -0.1 0\n", &moving, false),
         ("0.25,0.5,0.02\n0.45,0.5,0.02\n", &bare, false),
         ("0.25 0.5 0.02\r0.45 0.5 0.02\r", &bare, false),
+        ("0.25 0.5 0.02\r0.45 0.5 0.02", &bare, false),
+        ("# x y r\r0.25 0.5 0.02\r0.45 0.5 0.02\r\n", &bare, false),
         ("\u{feff}0.25 0.5 0.02\r\n0.45 0.5 0.02\r\n", &bare, false),
         ("2.5D-1 0.5 2d-2\n0.45 0.5 0.02\n", &bare, false),
         // A count that nobody could read as radius.

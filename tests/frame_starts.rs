@@ -217,3 +217,29 @@ fn a_picture_of_a_file_that_gnuplot_does_not_read_has_a_script_that_says_so() {
         assert!(pictures[0] == pictures[1], "{kind}");
     }
 }
+
+#[test]
+fn columns_may_be_said_in_a_scenario_and_not_without_a_file() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("xyzr.txt"), "0.01 0.02 0.005 1e-3\n0.03 0.02 0.005 1e-3\n")
+        .unwrap();
+    fs::write(
+        folder.path().join("start.toml"),
+        "start = 'xyzr.txt'\ncolumns = 'x,y,-,r'\ntime = 0\n",
+    )
+    .unwrap();
+    run(folder.path(), "start.toml --out-dir next");
+    let frame = fs::read(folder.path().join("next/out.txt")).unwrap();
+    assert!(read_frame(&frame[..], None).unwrap().rows.iter().all(|row| row.radius == 1e-3));
+    for (arguments, part) in [
+        ("--start xyzr.txt", "--columns x,y,r,-, or --columns x,y,-,r"),
+        ("--start xyzr.txt --columns x,y", "is a radius"),
+        ("--start xyzr.txt --columns x,y,foo,r", "`foo` is none of x, y, z, r"),
+        ("--start xyzr.txt --columns x,y,r,vx,vy", "fewer columns than the 5"),
+        ("--columns x,y,-,r", "it says how the file of --start is read"),
+    ] {
+        let output = outcome(folder.path(), arguments);
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains(part), "{arguments}: {said}");
+    }
+}

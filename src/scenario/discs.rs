@@ -25,6 +25,14 @@ impl Scenario {
         usual: usize,
         frame: Option<FramedDiscs>,
     ) -> Result<(), ScenarioError> {
+        if let (Some(columns), None) = (&settings.columns, &settings.start) {
+            return Err(ScenarioError::out_of_range(
+                "columns",
+                columns,
+                "it says how the file of --start is read, and there is none",
+                "--start FILE, or leave it out",
+            ));
+        }
         let (discs, groups) = (&settings.discs, &settings.populations);
         self.discs = if let (Some(said), Some(discs)) = (&settings.start, frame) {
             DiscSource::Frame {

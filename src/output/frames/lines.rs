@@ -1,23 +1,21 @@
 //! The lines of a text, one after the other: they end in LF, CR LF, or CR alone.
 
 use std::borrow::Cow;
-use std::io::BufRead;
+use std::io::{BufRead, Read};
 
 /// No line of a frame is so long, bytes; a file without lines is not read into memory.
-const LONGEST_LINE: usize = 1 << 16;
+const LONGEST_LINE: u64 = 1 << 16;
 
 /// A text that is read line by line.
 pub struct Lines<R> {
     input: R,
+    /// What lines end in.
+    end: u8,
     bytes: Vec<u8>,
     /// Number of the line that was read last, from 1.
     number: usize,
     /// Whether it is to be read again.
     is_put_back: bool,
-    /// Whether it ended in CR, so that an LF may follow.
-    after_cr: bool,
-    /// Whether any line ended in CR alone.
-    has_lone_cr: bool,
 }
 
 /// A line without its end and the blanks around it.
@@ -38,16 +36,12 @@ impl Line<'_> {
 }
 
 impl<R: BufRead> Lines<R> {
-    /// The lines of `input`.
-    pub fn of(input: R) -> Self {
-        Self {
-            input,
-            bytes: Vec::new(),
-            number: 0,
-            is_put_back: false,
-            after_cr: false,
-            has_lone_cr: false,
-        }
+    /// The lines of `input`, which begins with `start`.
+    pub fn of(input: R, start: &[u8]) -> Self {
+        let count = |wanted: u8| start.iter().filter(|&&byte| byte == wanted).count();
+        // As old Macintoshes wrote them; an LF at the end of the file changes nothing.
+        let end = if count(b'\r') > 2 * count(b'\n') { b'\r' } else { b'\n' };
+        Self { input, end, bytes: Vec::new(), number: 0, is_put_back: false }
     }
 
     /// The line that was read last comes again.
@@ -55,9 +49,9 @@ impl<R: BufRead> Lines<R> {
         self.is_put_back = true;
     }
 
-    /// Whether all lines so far end as programs of today expect it.
+    /// Whether lines end as programs of today expect it.
     pub fn are_usual(&self) -> bool {
-        !self.has_lone_cr
+        self.end == b'\n'
     }
 
     /// The next line, if there is one.
@@ -80,37 +74,19 @@ impl<R: BufRead> Lines<R> {
             }
             Err(_) => return Err(format!("line {number}: this is not text")),
         };
-        let is_cut = !matches!(self.bytes.last(), Some(b'\n' | b'\r'));
+        let is_cut = self.bytes.last() != Some(&self.end);
         Ok(Some(Line { text, number, is_cut }))
     }
 
     /// Reads one line with its end; nothing at the end of the file.
     fn read(&mut self) -> Result<(), String> {
-        loop {
-            let some = self.input.fill_buf().map_err(|why| why.to_string())?;
-            if some.is_empty() {
-                return Ok(());
+        let mut some = self.input.by_ref().take(LONGEST_LINE);
+        let read = some.read_until(self.end, &mut self.bytes).map_err(|why| why.to_string())?;
+        match read as u64 {
+            LONGEST_LINE => {
+                Err(format!("a line of {LONGEST_LINE} bytes: this is no file of frames"))
             }
-            if std::mem::take(&mut self.after_cr) {
-                if some[0] == b'\n' {
-                    self.input.consume(1);
-                    continue;
-                }
-                self.has_lone_cr = true;
-            }
-            let end = some.iter().position(|&byte| byte == b'\n' || byte == b'\r');
-            let taken = end.map_or(some.len(), |end| end + 1);
-            self.bytes.extend_from_slice(&some[..taken]);
-            self.after_cr = end.is_some() && some[taken - 1] == b'\r';
-            self.input.consume(taken);
-            if self.bytes.len() > LONGEST_LINE {
-                return Err(format!(
-                    "a line of more than {LONGEST_LINE} bytes: this is no file of frames"
-                ));
-            }
-            if end.is_some() {
-                return Ok(());
-            }
+            _ => Ok(()),
         }
     }
 }

@@ -73,7 +73,7 @@ impl<R: BufRead> Frames<R> {
             Format::LammpsDump => Source::Dump(Dump { by_hand }),
             Format::LammpsData => Source::Data(Data::default()),
         };
-        let lines = Lines::of(Cursor::new(start).chain(input));
+        let lines = Lines::of(Cursor::new(start.clone()).chain(input), &start);
         Self { lines, source, remarks: Remarks::default(), failure, has_ended: false, read: 0 }
     }
 

@@ -1,6 +1,6 @@
 //! What stands between the numbers of a line, and before their decimals.
 
-use std::str::{Split, SplitWhitespace};
+use std::str::{Split, SplitAsciiWhitespace};
 
 /// How a line of numbers is to be taken apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub struct Separator {
 
 /// The words of a line.
 pub enum Words<'a> {
-    Blank(SplitWhitespace<'a>),
+    Blank(SplitAsciiWhitespace<'a>),
     Mark(Split<'a, char>),
 }
 
@@ -37,7 +37,7 @@ impl Separator {
         if line.contains(';') {
             return Self { has_decimal_commas: !line.contains('.'), ..semicolon };
         }
-        if line.contains('\t') || line.split_whitespace().count() > 1 {
+        if line.contains('\t') || line.split_ascii_whitespace().count() > 1 {
             let blank = Self::BLANK.words(line);
             if is_decimal(blank) {
                 return Self { has_decimal_commas: true, ..Self::BLANK };
@@ -49,7 +49,7 @@ impl Separator {
     /// The words of `line`, as they stand there.
     pub fn words(self, line: &str) -> Words<'_> {
         match self.mark {
-            None => Words::Blank(line.split_whitespace()),
+            None => Words::Blank(line.split_ascii_whitespace()),
             // Nothing stands behind a mark at the end.
             Some(mark) => Words::Mark(line.strip_suffix(mark).unwrap_or(line).split(mark)),
         }
