@@ -186,7 +186,7 @@ fn a_checkpoint_that_is_a_link_is_kept_where_it_leads() {
     assert!(resumed.status.success(), "{}", message(&resumed));
     assert!(link.is_symlink());
     let again = parsim2d(folder.path(), "resume parsim2d.ckpt --time 3ms");
-    assert!(message(&again).contains("t = 0.002000 s"), "{}", message(&again));
+    assert!(message(&again).contains("going on from step 225 of 338"), "{}", message(&again));
 }
 
 #[test]

@@ -215,7 +215,7 @@ fn thousands_of_groups_take_little_memory() {
 #[test]
 fn a_run_that_does_not_fit_in_memory_is_refused_with_the_bytes_and_the_way_out_works() {
     let folder = TempDir::new().unwrap();
-    let run = "--radius 1e-6 --gravity 0 --time 0 --seed 1 -q --placement lattice -n";
+    let run = "--threads 1 --radius 1e-6 --gravity 0 --time 0 --seed 1 -q --placement lattice -n";
     let (message, code) = within(300_000, folder.path(), &format!("{run} 2000000"));
     assert_eq!(code, Some(2), "{message}");
     assert!(

@@ -125,11 +125,12 @@ fn the_lock_is_one_at_a_time_and_leaves_nothing() {
     drop(first);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     drop(FolderLock::take(folder.path()).unwrap());
-    // One that was left by a killed run, and one that cannot be opened, are no obstacle.
+    // One that was left by a killed run is no obstacle; what is no file is told of.
     fs::write(folder.path().join(".parsim2d.lock"), "").unwrap();
     drop(FolderLock::take(folder.path()).unwrap());
     fs::create_dir(folder.path().join(".parsim2d.lock")).unwrap();
-    assert!(FolderLock::take(folder.path()).is_ok());
+    let refused = FolderLock::take(folder.path()).map(drop).unwrap_err().to_string();
+    assert!(refused.contains(".parsim2d.lock is in the way"), "{refused}");
 }
 
 #[test]

@@ -78,7 +78,7 @@ fn bad_input_is_one_clear_message_that_names_the_file() {
         ("frame none.txt", "none.txt", "`parsim2d` writes it"),
         ("drift none.csv", "none.csv", "`parsim2d drift` writes it"),
         ("drift alone/drift.csv", "drift_energy.csv", "`parsim2d drift` writes it"),
-        ("frame .", ".", "directory"),
+        ("frame .", ".", "it is a folder"),
         ("frame energy.csv", "energy.csv", "parsim2d plot energy"),
         ("speeds drift.csv", "drift.csv", "parsim2d plot drift"),
         ("energy trajectory.txt", "trajectory.txt", "parsim2d plot frame"),

@@ -108,9 +108,7 @@ fn write_text(
     writeln!(out, "{}", wrapped(CAVEAT, 80))?;
     let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
     writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes")?;
-    let needed = bytes(diagnosis.memory_bytes);
-    let there = memory::room().map(|room| format!(" of {} {}", bytes(room.bytes), room.whose));
-    writeln!(out, "memory: about {needed}{}\n", there.unwrap_or_default())?;
+    writeln!(out, "memory: about {}\n", bytes(diagnosis.memory_bytes))?;
 
     if let Some(reading) = reading {
         writeln!(out, "{}\n", wrapped(&format!("the damping: {reading}"), 80))?;

@@ -2,7 +2,7 @@
 
 mod there;
 
-pub(super) use self::there::room;
+use self::there::room;
 use crate::scenario::Scenario;
 use crate::scenario::error::ScenarioError;
 

@@ -36,7 +36,10 @@ impl Scenario {
     /// [`ScenarioError::OutOfRange`] with the bytes that are needed and those that are there.
     pub fn fit_memory(&self, is: u64, whose: &str) -> Result<(), ScenarioError> {
         let needed = self.memory();
-        if needed <= is {
+        // What has no room in the box either is refused for that, before any disc is made.
+        let is_too_full =
+            matches!(self.discs, DiscSource::Equal(_)) && self.packing_fraction() >= 1.0;
+        if needed <= is || is_too_full {
             return Ok(());
         }
         let n = self.n();

@@ -58,7 +58,7 @@ impl Scenario {
     }
 
     /// Area of all discs over that of the box.
-    fn packing_fraction(&self) -> f64 {
+    pub(super) fn packing_fraction(&self) -> f64 {
         let area: f64 = self.species().iter().map(|s| s.n as f64 * s.radius * s.radius).sum();
         std::f64::consts::PI * area / (self.side * self.side)
     }
