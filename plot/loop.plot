@@ -9,7 +9,8 @@ if (!exists("patience_s")) patience_s = 5
 if (!exists("redraws"))    redraws = exists("png") ? 1 : -1    # -1: without end
 if (!exists("png") && GPVAL_TERM eq "unknown") { set terminal dumb 79,23 }  # no windows here: text
 if (exists("png")) { set terminal pngcairo size 700,700 }
-if (strstrt("wxt qt x11 windows aqua", GPVAL_TERM)) { eval "set terminal ".GPVAL_TERM." size 700,700 noraise" }
+quiet = strstrt("wxt qt x11", GPVAL_TERM) ? " noraise" : ""  # the window takes the keyboard but once
+if (strstrt("wxt qt x11 windows aqua", GPVAL_TERM)) { eval "set terminal ".GPVAL_TERM." size 700,700".quiet }
 
 # A name in two pairs of quotes, as file='"out.txt"', is a name in one.
 ends = file[1:1].file[strlen(file):strlen(file)]

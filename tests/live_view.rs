@@ -102,8 +102,13 @@ fn loop_plot_shows_ten_different_pictures_a_second() {
     let _run = start(simulator(&folder, SLOW));
     wait_for("out.txt", || folder.path().join("out.txt").exists().then_some(()));
     // Alone on two cores there are about 25 a second. Ten look like motion; a machine with other things to do
-    // is granted its best second of a few, and a view that redraws once a second has one.
-    plot(&folder, "loop", "png='%02d.png'; redraws=60");
+    // is granted its best second of several, and a view that redraws once a second has one in each.
+    let pictures = (0..3).map(|_| pictures_in_the_best_second(&folder)).find(|&n| n >= 10);
+    assert!(pictures.is_some(), "less than ten different pictures in every second");
+}
+
+fn pictures_in_the_best_second(folder: &TempDir) -> usize {
+    plot(folder, "loop", "png='%02d.png'; redraws=60");
     let (mut seen, mut moments) = (HashSet::new(), Vec::new());
     for k in 0..60 {
         let path = folder.path().join(format!("{k:02}.png"));
@@ -111,8 +116,7 @@ fn loop_plot_shows_ten_different_pictures_a_second() {
             moments.push(fs::metadata(&path).unwrap().modified().unwrap());
         }
     }
-    let pictures = most_in_a_second(&moments);
-    assert!(pictures >= 10, "{pictures} different pictures in the best second");
+    most_in_a_second(&moments)
 }
 
 #[test]

@@ -27,7 +27,6 @@ use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement};
 use crate::simulation::time_step;
-use crate::work::Works;
 
 #[derive(Args, Clone)]
 pub(super) struct RunArguments {
@@ -198,9 +197,10 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
     let particle_steps = n as f64 * watch.steps(simulation) as f64;
     let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
-    let works = simulation.works();
-    let dissipated = works.map(|works| 0.0 - works.dashpot.value());
-    let supplied = works.map_or(0.0, Works::supplied);
+    let (dissipated, supplied) = match simulation.works() {
+        Some(works) => (Some(0.0 - works.dashpot.value()), works.supplied()),
+        None => (None, 0.0),
+    };
     Summary {
         version: env!("CARGO_PKG_VERSION"),
         seed: scenario.seed,
