@@ -190,7 +190,10 @@ impl Clock {
         let middle = times[times.len() / 2];
         let [begin, end] = [-1.1, 1.1]
             .map(|factor| times.partition_point(|&time| time < middle + factor * self.largest));
-        let (all, times) = (times.len(), &times[begin..end]);
+        let (all, times) = (times.len(), times.get(begin..end)?);
+        if 4 * times.len() <= 3 * all {
+            return None;
+        }
         let [mut short, mut long] = [1, 19].map(|part| times[part * (times.len() - 1) / 20]);
         let mean = |some: &[f64]| some.iter().sum::<f64>() / some.len() as f64;
         for _ in 0..20 {
@@ -202,8 +205,7 @@ impl Clock {
         let part = long - short;
         let is_near = |time: &&f64| (*time - short).abs().min((*time - long).abs()) < 0.35 * part;
         let of_two = times.iter().filter(is_near).count();
-        let is_seen =
-            4 * times.len() > 3 * all && part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
+        let is_seen = part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
         let border = 0.5 * (short + long);
         let are_by_turns = || by_turns(&known, |k| time(k) > border);
         Some(Gap {
