@@ -177,9 +177,10 @@ impl Clock {
     /// How the times between frames differ, if enough of them are known.
     fn gap(&self) -> Option<Gap> {
         let is_known = |k: &usize| self.blur[*k].max(self.blur[*k + 1]) < KNOWN;
-        let known = (0..self.late.len() - 1).filter(is_known);
-        let (mut times, mut blurs): (Vec<f64>, Vec<f64>) =
-            known.map(|k| (self.late[k + 1] - self.late[k], self.blur[k])).unzip();
+        let known: Vec<usize> = (0..self.late.len() - 1).filter(is_known).collect();
+        let time = |k: usize| self.late[k + 1] - self.late[k];
+        let mut times: Vec<f64> = known.iter().map(|&k| time(k)).collect();
+        let mut blurs: Vec<f64> = known.iter().map(|&k| self.blur[k]).collect();
         if times.len() < FEWEST {
             return None;
         }
@@ -189,7 +190,10 @@ impl Clock {
         let middle = times[times.len() / 2];
         let [begin, end] = [-1.1, 1.1]
             .map(|factor| times.partition_point(|&time| time < middle + factor * self.largest));
-        let (all, times) = (times.len(), &times[begin..end]);
+        let (all, times) = (times.len(), times.get(begin..end)?);
+        if 4 * times.len() <= 3 * all {
+            return None;
+        }
         let [mut short, mut long] = [1, 19].map(|part| times[part * (times.len() - 1) / 20]);
         let mean = |some: &[f64]| some.iter().sum::<f64>() / some.len() as f64;
         for _ in 0..20 {
@@ -201,9 +205,14 @@ impl Clock {
         let part = long - short;
         let is_near = |time: &&f64| (*time - short).abs().min((*time - long).abs()) < 0.35 * part;
         let of_two = times.iter().filter(is_near).count();
-        let is_seen =
-            4 * times.len() > 3 * all && part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
-        Some(Gap { part, is_seen, is_of_two: is_seen && 20 * of_two >= 17 * times.len() })
+        let is_seen = part > LEAST_PART.max(8.0 * blurs[blurs.len() / 2]);
+        let border = 0.5 * (short + long);
+        let are_by_turns = || by_turns(&known, |k| time(k) > border);
+        Some(Gap {
+            part,
+            is_seen,
+            is_of_two: is_seen && 20 * of_two >= 17 * times.len() && are_by_turns(),
+        })
     }
 
     /// Leaves frames where they are of which too little is known.
@@ -239,6 +248,15 @@ impl Clock {
         }
         film.frames = even;
     }
+}
+
+/// Whether the rarer of two lengths hardly ever comes twice running, as with whole steps it must; what drifts does not go
+/// so to and fro.
+fn by_turns(known: &[usize], is_long: impl Fn(usize) -> bool) -> bool {
+    let long = known.iter().filter(|&&k| is_long(k)).count();
+    let is_rare = |k: usize| is_long(k) == (2 * long <= known.len());
+    let twice = |pair: &&[usize]| pair[1] == pair[0] + 1 && is_rare(pair[0]) && is_rare(pair[1]);
+    5 * known.windows(2).filter(twice).count() <= long.min(known.len() - long)
 }
 
 /// The median of values with weights; 0 of nothing.

@@ -12,10 +12,14 @@
 use glam::DVec2;
 
 use super::bounce::{self, Bounce};
+use super::check::Check;
 use super::collision::{self, Collision};
 use super::film::{Film, Spot};
 use super::flight::{Flights, median};
+use super::mistake::Mistake;
 use super::rubric::{Law, PrintedEta, Rubric};
+use super::verdict::{Report, Status};
+use super::words::Note;
 
 /// The damping that the guide prints, kg/s.
 const PRINTED: f64 = 1.5e3;
@@ -165,4 +169,25 @@ fn explodes(film: &Film, k: usize, interval: Option<f64>) -> bool {
     // Where numbers end growth is hidden; frames near each other show it over several.
     let grows = |k: usize| most(k) - most(k - 1) > least;
     (k.max(1)..film.frames.len()).any(grows)
+}
+
+impl Report {
+    /// Sets aside, at no cost, what contacts tell, for they did what the assignment's trap does.
+    pub fn mask_contacts(&mut self) {
+        use Check as C;
+        let is_shifted = self.failed_by(C::Box, Mistake::BoxShifted);
+        let is_hidden = |check: C| match check {
+            C::Box => !is_shifted,
+            check => check.is_of_motion() && check != C::FreeFlight,
+        };
+        for (_, status) in self.checks.iter_mut().filter(|(check, _)| is_hidden(*check)) {
+            *status = Status::Masked;
+        }
+        self.notes.push(Note::PrintedEtaExplodes);
+    }
+
+    /// Whether what contacts tell was set aside.
+    pub fn is_masked(&self) -> bool {
+        self.notes.contains(&Note::PrintedEtaExplodes)
+    }
 }

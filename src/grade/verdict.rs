@@ -190,25 +190,6 @@ impl Report {
         }
     }
 
-    /// Sets aside, at no cost, what contacts tell, for they did what the assignment's trap does.
-    pub fn mask_contacts(&mut self) {
-        use Check as C;
-        let is_shifted = self.failed_by(C::Box, Mistake::BoxShifted);
-        let is_hidden = |check: C| match check {
-            C::Box => !is_shifted,
-            check => check.is_of_motion() && check != C::FreeFlight,
-        };
-        for (_, status) in self.checks.iter_mut().filter(|(check, _)| is_hidden(*check)) {
-            *status = Status::Masked;
-        }
-        self.notes.push(Note::PrintedEtaExplodes);
-    }
-
-    /// Whether what contacts tell was set aside.
-    pub fn is_masked(&self) -> bool {
-        self.notes.contains(&Note::PrintedEtaExplodes)
-    }
-
     /// Discs whose energy grew without bound pass any wall in the end: that is one mistake, not two.
     pub fn forgive_walls_that_were_shot_through(&mut self) {
         let makers = [
