@@ -72,7 +72,14 @@ fn contacts() -> Contacts<SpringDashpot> {
 fn contact_pass(n: usize) {
     let (mut particles, mut contacts, mut tally) = (bed(n), contacts(), Tally::default());
     contacts.apply(&mut particles, &mut tally);
-    report("contact_pass", n, || (), |()| contacts.apply(black_box(&mut particles), &mut tally));
+    report(
+        "contact_pass",
+        n,
+        || (),
+        |()| {
+            black_box(contacts.apply(black_box(&mut particles), &mut tally));
+        },
+    );
 }
 
 fn crowd(particles: Vec<Particle>, has_ledger: bool) -> Crowd<SpringDashpot> {

@@ -93,11 +93,7 @@ impl Recorder {
         let path = |name: &str| folder.join(name);
         let is_here = is_same_folder(from, folder);
         // A checkpoint here may be no good: the run goes on from the other one.
-        if is_here {
-            refuse_in_the_way(folder)?
-        } else {
-            make_ready(folder)?
-        };
+        if is_here { refuse_in_the_way(folder) } else { make_ready(folder) }?;
         // Of a run that was killed; and the only one here is this one.
         remove_temporaries(folder, &FILES);
         let mut new = Vec::new();
