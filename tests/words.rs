@@ -1,5 +1,6 @@
 //! What the program says to the mistakes that people make: flags, files and scenarios, each with the words
 //! that must be in the message, and the way out tried where it is a command.
+#![allow(clippy::too_many_lines)] // tables of cases
 
 use std::fs;
 use std::path::Path;
