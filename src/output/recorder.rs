@@ -87,7 +87,7 @@ impl Recorder {
         recorder.write_start(&live, simulation)?;
         // All have their first frame; only now does anything old go: what a former run left that this one
         // does not replace, too.
-        let stale: Vec<PathBuf> = stale(energy.is_some()).map(path).collect();
+        let stale: Vec<PathBuf> = stale(energy.is_some(), false).map(path).collect();
         take_places([live, trajectory, record].into_iter().chain(energy).collect(), &stale)?;
         Ok(recorder)
     }
@@ -178,10 +178,12 @@ impl Recorder {
 }
 
 /// The files of a former run that a run in its folder does not replace: they go, for their run is gone. `energy.csv`
-/// is one of them if this run does not write it.
-fn stale(writes_energy: bool) -> impl Iterator<Item = &'static str> {
-    let always = [failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
-    always.into_iter().chain((!writes_energy).then_some("energy.csv"))
+/// is one of them if this run does not write it; a run that goes on where it was keeps its checkpoints.
+fn stale(writes_energy: bool, keeps_checkpoints: bool) -> impl Iterator<Item = &'static str> {
+    let checkpoints = [checkpoint::FILE, checkpoint::PREVIOUS];
+    let checkpoints = checkpoints.into_iter().filter(move |_| !keeps_checkpoints);
+    let energy = (!writes_energy).then_some("energy.csv");
+    std::iter::once(failure::FILE).chain(checkpoints).chain(energy)
 }
 
 /// Makes `folder` if it is not there; refuses one in which something is nobody's of ours, or in the way.

@@ -39,7 +39,7 @@ impl Target {
                 format!("this picture is a .{ending} file"),
                 format!(
                     "--out {}; for PNG and PDF run the script: gnuplot -e \"out='{kind}.pdf'\" {kind}.gp",
-                    echo::path(&picture.with_extension(ending))
+                    echo::path(picture.with_extension(ending))
                 ),
             ));
         }

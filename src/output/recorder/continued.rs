@@ -116,10 +116,8 @@ impl Recorder {
         let first = NewFile::create(&live.path)?;
         live.write_all(first.writer()?, simulation)?;
         new.extend([record, first]);
-        let is_kept =
-            |name: &&str| is_here && [checkpoint::FILE, checkpoint::PREVIOUS].contains(name);
-        let stale = stale(energy.is_some()).filter(|name| !is_kept(name)).map(path);
-        take_places(new, &stale.collect::<Vec<_>>())?;
+        let stale: Vec<_> = stale(energy.is_some(), is_here).map(path).collect();
+        take_places(new, &stale)?;
 
         let (extent, last) = (written.trajectory, written.frame_at);
         let frames = Trajectory::continued(trajectory, path(TRAJECTORY), plan.side, extent, last)?;
