@@ -468,9 +468,11 @@ mod signals {
                 std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success()
             );
             let output = child.wait_with_output().unwrap();
-            assert_eq!(output.status.code(), Some(130));
             let out = fs::read_to_string(folder.path().join("out.txt")).unwrap();
             let kept = out == "precious";
+            // On a busy machine the signal may come before the program listens, and ends it just so.
+            let code = output.status.code();
+            assert!(code == Some(130) || code.is_none() && kept, "{delay} ms: {code:?}");
             assert!(kept || out.lines().count() == 200_001, "{delay} ms: {}", out.lines().count());
             let files = if kept { 3 } else { 5 }; // and last-run.toml, and a checkpoint
             assert_eq!(fs::read_dir(folder.path()).unwrap().count(), files, "{delay} ms");

@@ -87,9 +87,9 @@ impl Recorder {
         recorder.write_start(&live, simulation)?;
         // All have their first frame; only now does anything old go: what a former run left that this one
         // does not replace, too.
-        let stale: Vec<PathBuf> = stale(record.is_some(), energy.is_some()).map(path).collect();
+        let stale = Stale { record: record.is_none(), energy: energy.is_none(), checkpoints: true };
         let new = [live, trajectory].into_iter().chain(record).chain(energy).collect();
-        take_places(new, &stale)?;
+        take_places(new, &stale.names().map(path).collect::<Vec<_>>())?;
         Ok(recorder)
     }
 
@@ -181,12 +181,28 @@ impl Recorder {
     }
 }
 
-/// The files of a former run that a run in its folder does not replace: they go, for their run is gone. `energy.csv`
-/// and `last-run.toml` are among them if this run does not write them.
-fn stale(writes_record: bool, writes_energy: bool) -> impl Iterator<Item = &'static str> {
-    let always = [failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
-    let record = (!writes_record).then_some(record::FILE);
-    always.into_iter().chain(record).chain((!writes_energy).then_some("energy.csv"))
+/// Which files of a former run a run in its folder does not replace: they go, for their run is gone, and with them
+/// what it said of its end.
+struct Stale {
+    /// `last-run.toml`.
+    record: bool,
+    /// `energy.csv`.
+    energy: bool,
+    /// Checkpoints; a run that goes on where it was keeps them.
+    checkpoints: bool,
+}
+
+impl Stale {
+    fn names(&self) -> impl Iterator<Item = &'static str> {
+        let all = [
+            (true, failure::FILE),
+            (self.checkpoints, checkpoint::FILE),
+            (self.checkpoints, checkpoint::PREVIOUS),
+            (self.record, record::FILE),
+            (self.energy, "energy.csv"),
+        ];
+        all.into_iter().filter_map(|(is_stale, name)| is_stale.then_some(name))
+    }
 }
 
 /// Makes `folder` if it is not there; refuses one in which something is nobody's of ours, or in the way.

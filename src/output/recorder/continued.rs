@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{OutputPlan, Recorder, make_ready, refuse_in_the_way, stale};
+use super::{OutputPlan, Recorder, Stale, make_ready, refuse_in_the_way};
 use crate::analysis::energy::EnergyLedger;
 use crate::output::energy::EnergyFile;
 use crate::output::growing::Extent;
@@ -112,10 +112,8 @@ impl Recorder {
         let first = NewFile::create(&live.path)?;
         live.write_all(first.writer()?, simulation)?;
         new.extend([record, first]);
-        let is_kept =
-            |name: &&str| is_here && [checkpoint::FILE, checkpoint::PREVIOUS].contains(name);
-        let stale = stale(true, energy.is_some()).filter(|name| !is_kept(name)).map(path);
-        take_places(new, &stale.collect::<Vec<_>>())?;
+        let stale = Stale { record: false, energy: energy.is_none(), checkpoints: !is_here };
+        take_places(new, &stale.names().map(path).collect::<Vec<_>>())?;
 
         let (extent, last) = (written.trajectory, written.frame_at);
         let frames = Trajectory::continued(trajectory, path(TRAJECTORY), plan.side, extent, last)?;
