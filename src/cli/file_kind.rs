@@ -160,12 +160,12 @@ fn of_name(path: &Path) -> Option<FileKind> {
 /// What only the whole file tells.
 fn of_all(path: &Path, start: &[u8]) -> Option<FileKind> {
     const LONGEST: u64 = 1 << 20; // bytes; nobody writes longer scenarios and rubrics by hand
-    if std::fs::metadata(path).ok()?.len() <= LONGEST {
+    let is_blank = start.iter().all(u8::is_ascii_whitespace);
+    if !is_blank && std::fs::metadata(path).ok()?.len() <= LONGEST {
         if file::read(path).is_ok() {
             return Some(FileKind::Scenario);
         }
-        let is_rubric = |text: &str| !text.trim().is_empty() && Rubric::parse(text).is_ok();
-        if std::fs::read_to_string(path).is_ok_and(|text| is_rubric(&text)) {
+        if std::fs::read_to_string(path).is_ok_and(|text| Rubric::parse(&text).is_ok()) {
             return Some(FileKind::Rubric);
         }
     }

@@ -80,9 +80,13 @@ impl ResumeArguments {
             true => self.file.join(checkpoint::FILE),
             false => self.file.clone(),
         };
-        match FileKind::of(&file).filter(|kind| *kind != FileKind::Checkpoint) {
-            Some(kind) => Err(Failure::Refused(kind.in_place_of("a checkpoint", &file))),
-            None => Ok(file),
+        // A damaged checkpoint may look like anything.
+        let is_named_so = file.extension().is_some_and(|ending| ending == "ckpt");
+        match FileKind::of(&file) {
+            Some(kind) if kind != FileKind::Checkpoint && !is_named_so => {
+                Err(Failure::Refused(kind.in_place_of("a checkpoint", &file)))
+            }
+            _ => Ok(file),
         }
     }
 
