@@ -18,8 +18,13 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Takes note of one number as printed.
+    /// Takes note of one number as printed; not of what is no number, nor of what has left any box: written out, either
+    /// has other digits than the rest.
     pub fn note(&mut self, word: &str) {
+        const NOWHERE: f64 = 1e6;
+        if !word.parse::<f64>().is_ok_and(|value| value.abs() < NOWHERE) {
+            return;
+        }
         let mantissa = word.split(['e', 'E']).next().unwrap_or_default();
         let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
         let decimals = mantissa.split('.').nth(1).map_or(0, str::len) as i32;
@@ -53,6 +58,24 @@ impl Digits {
             Self::General(digits) => {
                 0.5 * 10f64.powi(value.abs().log10().floor() as i32 - digits.min(300) + 1)
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_exploded_does_not_make_the_rest_look_finer() {
+        for (words, expected) in [
+            (["0.012345", "nan", "0.020000"], Digits::Fixed(6)),
+            (["0.0123456", "123457000000000000000000000", "0.02"], Digits::General(6)),
+            (["0.0123456", "-inf", "1.23457e+150"], Digits::Fixed(7)),
+        ] {
+            let mut tally = Tally::default();
+            words.into_iter().for_each(|word| tally.note(word));
+            assert_eq!(tally.digits(), expected, "{words:?}");
         }
     }
 }
