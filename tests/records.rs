@@ -52,7 +52,7 @@ fn a_record_that_is_not_of_the_run_makes_no_report() {
         let output = outcome(whole.path(), "plot forces trajectory.txt");
         let message = text(&output.stderr);
         assert!(output.status.success() && message.contains("preset guide"), "{why}: {message}");
-        let all = "plot forces trajectory.txt --kn 5e4 --eta 0 --mass 1e-3";
+        let all = "plot forces trajectory.txt --kn 5e4 --eta 0";
         assert_eq!(text(&outcome(whole.path(), all).stderr), "", "{why}");
     }
     fs::write(whole.path().join(RECORD), own).unwrap();
@@ -89,7 +89,7 @@ fn a_run_of_the_library_leaves_its_own_record_or_none() {
         }
         assert!(report.status.success(), "{}", text(&report.stderr));
         let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
-        assert!(page.contains("n = 4\n") && page.contains("speed = 0.1 # m/s"));
+        assert!(page.contains("<dt>discs</dt><dd>4</dd>") && page.contains("<dd>0.1 m/s</dd>"));
         let again = Scenario::from_toml(&record(folder.path())).unwrap().build().unwrap();
         assert_eq!(again.state_hash(), scenario.build().unwrap().state_hash());
     }

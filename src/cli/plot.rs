@@ -263,10 +263,11 @@ fn law_beside(file: &FrameFile, frame: &Frame, arguments: &ForcesArguments) -> O
         Ok(Told { said: Err(why), .. }) => why.to_string(),
         Err(why) => why.to_string(),
     };
-    if !arguments.says_all() {
+    if !arguments.says_all(frame.has_masses()) {
         let preset = arguments.preset.unwrap_or_default();
+        let mass = if frame.has_masses() { "" } else { "--mass, " };
         input::remark(&format!(
-            "{} does not tell of these frames ({why}): what of --mass, --kn, --eta is not said is taken from the \
+            "{} does not tell of these frames ({why}): what of {mass}--kn, --eta is not said is taken from the \
              preset {}",
             record.display(),
             preset.name()

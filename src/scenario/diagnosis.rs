@@ -131,13 +131,15 @@ impl Scenario {
         let travel = self.expected_travel();
         // Nothing passes a wall.
         let farthest = if self.n() > 1 { 1.0 } else { f64::INFINITY };
-        vec![
+        let mut figures = vec![
             row("undamped frequency omega0, 1/s", |c| c.angular_frequency),
             row("damping ratio zeta", |c| c.damping_ratio),
             row("duration of a contact tau, s", |c| c.duration),
             row("restitution e, without a weight", |c| c.restitution),
-            self.with_weight(),
-            self.stepped(pair.as_ref(), wall.as_ref(), findings),
+        ];
+        figures.extend(self.with_weight());
+        figures.extend(self.stepped(pair.as_ref(), wall.as_ref(), findings));
+        figures.extend([
             judged(row("time steps in a contact", |c| c.steps), &|steps| {
                 if steps < FEWEST_STEPS { Verdict::Coarse } else { Verdict::Good }
             }),
@@ -153,35 +155,33 @@ impl Scenario {
                 },
                 &|travel| grade(travel, LONG_STRIDE, farthest),
             ),
-        ]
+        ]);
+        figures
     }
 
-    /// Restitution as the time step gives it, without a weight.
+    /// Restitution as the time step gives it, without a weight; `None` where nothing is to be told.
     fn stepped(
         &self,
         pair: Option<&ExpectedContact>,
         wall: Option<&ExpectedContact>,
         findings: &[Finding],
-    ) -> Figure {
+    ) -> Option<Figure> {
         let stepped = |contact: Option<&ExpectedContact>| {
             contact.and_then(|contact| self.stepped_restitution(contact))
         };
         let missed = findings.iter().find(|finding| finding.matter == Matter::Restitution);
         let [pair, wall] = [pair, wall].map(stepped);
-        let any = pair.or(wall).is_some();
-        Figure {
-            name: "e as this time step gives it",
-            pair,
-            wall,
-            verdict: any.then(|| missed.map_or(Verdict::Good, |found| found.verdict)),
-        }
+        pair.or(wall)?;
+        let verdict = Some(missed.map_or(Verdict::Good, |found| found.verdict));
+        Some(Figure { name: "e as this time step gives it", pair, wall, verdict })
     }
 
     /// Restitution on the floor, where the weight pushes a disc in while it is in contact: what a run
     /// measures. The slower it comes, the less; this is at the speed to expect.
-    fn with_weight(&self) -> Figure {
-        let wall = self.walls.then(|| self.bounce_with_weight()).flatten();
-        Figure { name: "e with the weight on it, after a fall", pair: None, wall, verdict: None }
+    fn with_weight(&self) -> Option<Figure> {
+        let wall = Some(self.walls.then(|| self.bounce_with_weight())??);
+        let name = "e with the weight on it, after a fall";
+        Some(Figure { name, pair: None, wall, verdict: None })
     }
 
     fn limit_figures(&self) -> Vec<LimitFigure> {

@@ -41,7 +41,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Settings, ScenarioError> {
     toml::from_str(text).map_err(|error| {
         let (line, column) = line_and_column(text, error.span().map_or(0, |span| span.start));
         let message = malformed::sentence(error.message(), text, line)
-            .unwrap_or_else(|| message(error.message()));
+            .map_or_else(|| message(error.message()), |sentence| echo::sentence(&sentence));
         ScenarioError::Malformed { path: path.to_owned(), line, column, message }
     })
 }

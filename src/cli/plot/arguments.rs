@@ -24,7 +24,7 @@ Examples:
   parsim2d plot velocity trajectory.txt              the velocity field
   parsim2d plot forces trajectory.txt --kn 5e4       who presses on whom
   parsim2d plot speeds trajectory.txt --pool         speeds beside Maxwell's curve
-  parsim2d plot history trajectory.txt --disc 3 y vy a disc over time
+  parsim2d plot history trajectory.txt --disc 3 y vy  a disc over time
 
 Beside every picture a gnuplot script of the same name is written, which draws the same:
   gnuplot energy.gp                                  writes energy.png
@@ -276,10 +276,10 @@ pub struct ForcesArguments {
 }
 
 impl ForcesArguments {
-    /// Whether nothing of the law has to be taken from elsewhere.
-    pub fn says_all(&self) -> bool {
+    /// Whether nothing of the law has to be taken from elsewhere, for a frame that has masses or not.
+    pub fn says_all(&self, has_masses: bool) -> bool {
         let damping = [self.eta.is_some(), self.gamma.is_some(), self.restitution.is_some()];
-        self.mass.is_some() && self.kn.is_some() && damping.contains(&true)
+        (has_masses || self.mass.is_some()) && self.kn.is_some() && damping.contains(&true)
     }
 
     /// A scenario with the law that was said.
