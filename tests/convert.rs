@@ -224,19 +224,3 @@ fn what_cannot_be_converted_is_refused_and_leaves_nothing() {
     assert!(outcome(folder.path(), "convert mixed.txt out.xyz").status.success());
     assert!(outcome(folder.path(), "convert cut.txt out.csv --until 0").status.success());
 }
-
-#[test]
-fn every_example_of_the_help_runs() {
-    let folder = tempfile::tempdir().unwrap();
-    assert!(outcome(folder.path(), "-n 2 --time 1ms --seed 1 -q").status.success());
-    assert!(outcome(folder.path(), "convert trajectory.txt dump.lammpstrj").status.success());
-    write(folder.path(), "old.dat", "0.25 0.5 0.01 0.02\n0.45 0.5 0.01 0.02\n");
-    let help = text(&outcome(folder.path(), "convert --help").stdout);
-    let examples = help.lines().filter_map(|line| line.trim().strip_prefix("parsim2d convert "));
-    let examples: Vec<&str> = examples.map(|line| line.split("   ").next().unwrap()).collect();
-    assert_eq!(examples.len(), 5, "{help}");
-    for example in examples {
-        let output = outcome(folder.path(), &format!("convert {example}"));
-        assert!(output.status.success(), "{example}: {}", text(&output.stderr));
-    }
-}

@@ -64,6 +64,8 @@ fn folder_of_examples() -> TempDir {
     printed(path, &format!("parsim2d {run} && parsim2d {run} --out-dir a"));
     printed(path, "cp out.txt a.txt; cp out.txt b.txt; cp parsim2d.ckpt parsim2d.previous.ckpt");
     printed(path, "parsim2d grade --init-rubric > course.toml");
+    printed(path, "parsim2d convert -q trajectory.txt dump.lammpstrj");
+    fs::write(path.join("old.dat"), "0.25 0.5 0.01 0.02\n0.45 0.5 0.01 0.02\n").unwrap();
     folder
 }
 

@@ -152,20 +152,6 @@ fn bad_usage_names_the_flag() {
 }
 
 #[test]
-fn the_examples_of_the_help_work() {
-    let folder = simulate("-n 5 --time 0.002 --seed 1 -q --speed 0.3");
-    let output = run(folder.path(), "--help");
-    let help = String::from_utf8(output.stdout).unwrap();
-    let mut seen = 0;
-    for line in help.lines().filter_map(|line| line.trim().strip_prefix("parsim2d plot ")) {
-        let Some((arguments, _)) = line.split_once("   ") else { continue };
-        plot(folder.path(), arguments);
-        seen += 1;
-    }
-    assert_eq!(seen, 9, "{help}");
-}
-
-#[test]
 fn every_script_draws_its_picture_in_gnuplot() {
     if gnuplot_is_missing("the scripts beside the pictures") {
         return;

@@ -117,10 +117,6 @@ impl Scenario {
     fn figures(&self, findings: &[Finding]) -> Vec<Figure> {
         let pair = (self.n() > 1).then(|| self.expected_pair());
         let wall = self.walls.then(|| self.expected_wall());
-        let judged = |figure: Figure, judge: &dyn Fn(f64) -> Verdict| {
-            let values = [figure.pair, figure.wall].into_iter().flatten();
-            Figure { verdict: values.map(judge).max(), ..figure }
-        };
         let row = |name, of: fn(&ExpectedContact) -> f64| Figure {
             name,
             pair: pair.as_ref().map(of),
@@ -232,4 +228,10 @@ pub fn cell(value: Option<f64>) -> String {
         }
         Some(value) => format!("{value:.3e}"),
     }
+}
+
+/// The figure with the worse of the verdicts that `judge` gives on its values.
+fn judged(figure: Figure, judge: &dyn Fn(f64) -> Verdict) -> Figure {
+    let values = [figure.pair, figure.wall].into_iter().flatten();
+    Figure { verdict: values.map(judge).max(), ..figure }
 }

@@ -127,7 +127,7 @@ fn of_value(message: &str, key: &str, value: &str) -> Option<String> {
         let bare = value.trim_matches(['\'', '"']);
         return Some(format!("the quote does not end: {key} = '{bare}'"));
     }
-    if !value.starts_with(['\'', '"']) && value.contains([';', '=']) {
+    if !value.contains(['\'', '"']) && value.contains([';', '=']) {
         return Some("one KEY = VALUE a line, nothing behind it".to_owned());
     }
     if value.contains(',') {
