@@ -240,10 +240,10 @@ impl Clock {
         }
         for &(i, run) in runs {
             let flight = Flight::of(film, self, i, run);
-            for k in run.begin..=run.end {
+            for (k, frame) in even.iter_mut().enumerate().take(run.end + 1).skip(run.begin) {
                 let [(then, _), (now, _)] =
                     [k as f64, self.time(k)].map(|time| flight.at(time, self.pull));
-                even[k][i].position = film.at(k, i) + then - now;
+                frame[i].position = film.at(k, i) + then - now;
             }
         }
         film.frames = even;
