@@ -240,8 +240,7 @@ impl Clock {
         }
         for &(i, run) in runs {
             let flight = Flight::of(film, self, i, run);
-            let own = even.iter_mut().enumerate().take(run.end + 1).skip(run.begin);
-            for (k, frame) in own {
+            for (k, frame) in even.iter_mut().enumerate().take(run.end + 1).skip(run.begin) {
                 let [(then, _), (now, _)] =
                     [k as f64, self.time(k)].map(|time| flight.at(time, self.pull));
                 frame[i].position = film.at(k, i) + then - now;
