@@ -39,7 +39,7 @@ const LARGEST_PART: f64 = 0.1;
 const WITNESSES: usize = 3;
 
 /// Fewer times between frames tell nothing.
-const FEWEST: usize = 10;
+const FEWEST: usize = 6;
 
 /// Less than this part of a frame is not seen in anything.
 const LEAST_PART: f64 = 5e-4;
@@ -51,6 +51,8 @@ struct Clock {
     late: Vec<f64>,
     /// How far that may be off by the printed digits; infinite where nobody flies.
     blur: Vec<f64>,
+    /// How many discs tell it.
+    witnesses: Vec<usize>,
     /// Gravity, m a frame².
     pull: DVec2,
     /// The largest step that is plausible, frames: nothing comes later or earlier.
@@ -130,7 +132,13 @@ impl Flight {
 impl Clock {
     fn even(film: &Film, pull: DVec2, largest: f64) -> Self {
         let frames = film.frames.len();
-        Self { late: vec![0.0; frames], blur: vec![f64::INFINITY; frames], pull, largest }
+        Self {
+            late: vec![0.0; frames],
+            blur: vec![f64::INFINITY; frames],
+            witnesses: vec![0; frames],
+            pull,
+            largest,
+        }
     }
 
     fn time(&self, k: usize) -> f64 {
@@ -166,7 +174,8 @@ impl Clock {
             let count = said.len();
             said.iter_mut().for_each(|(value, _)| *value = (*value - late).abs());
             let spread = 2.0 * weighted_median(&mut said) / (count as f64).sqrt();
-            self.blur[k] = if count < WITNESSES { f64::INFINITY } else { digits.max(spread) };
+            self.blur[k] = digits.max(spread);
+            self.witnesses[k] = count;
             self.late[k] = (self.late[k] + late).clamp(-self.largest, self.largest);
         }
         if weight > 0.0 {
@@ -176,7 +185,8 @@ impl Clock {
 
     /// How the times between frames differ, if enough of them are known.
     fn gap(&self) -> Option<Gap> {
-        let is_known = |k: &usize| self.blur[*k].max(self.blur[*k + 1]) < KNOWN;
+        let is_told = |k: usize| self.blur[k] < KNOWN && self.witnesses[k] >= WITNESSES;
+        let is_known = |k: &usize| is_told(*k) && is_told(*k + 1);
         let known: Vec<usize> = (0..self.late.len() - 1).filter(is_known).collect();
         let time = |k: usize| self.late[k + 1] - self.late[k];
         let mut times: Vec<f64> = known.iter().map(|&k| time(k)).collect();
