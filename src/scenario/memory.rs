@@ -18,7 +18,7 @@ impl Scenario {
     ///
     /// ```
     /// use parsim2d::scenario::Scenario;
-    /// let million = Scenario::from_toml("n = 1_000_000\nradius = 5e-6\nthreads = 1").unwrap();
+    /// let million = Scenario::from_toml("n = 1_000_000\nside = 1\nthreads = 1").unwrap();
     /// assert_eq!(million.memory(), 272_000_000);
     /// ```
     pub fn memory(&self) -> u64 {
