@@ -143,6 +143,10 @@ fn columns_are_read_as_a_heading_names_them() {
         written("# step 0 time_s 0 n 20 side_m 0.04 columns x y r vx vy m\n", |_, [x, y, r]| {
             format!("{x} {y} {r} 0.1 0.1 1e-3")
         }),
+        // One angle is a radius by chance.
+        written("# x y phi r\n", |i, [x, y, r]| {
+            format!("{x} {y} {} {r}", if i == 3 { "0.0005" } else { "0.031" })
+        }),
         written("# radius; x; y\n", |_, [x, y, r]| format!("{r}; {x}; {y}")),
         written("", usual).replace('\n', "\r"),
         written("", usual).replace('\n', "\r\n"),

@@ -321,3 +321,44 @@ fn a_resume_that_cannot_write_a_file_changes_none() {
         assert!(before == contents(folder.path()), "{name}");
     }
 }
+
+#[test]
+fn grading_writes_over_nothing_that_it_reads() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path();
+    assert!(parsim2d(path, RUN).status.success());
+    let rubric = parsim2d(path, "grade --init-rubric").stdout;
+    fs::write(path.join("course.toml"), &rubric).unwrap();
+    fs::copy(path.join("trajectory.txt"), path.join("class.csv")).unwrap();
+    symlink("trajectory.txt", path.join("link.txt")).unwrap();
+    let before = contents(path);
+    for out in [
+        "--frames trajectory.txt --out trajectory.txt",
+        "--frames trajectory.txt --out ./trajectory.txt --format json",
+        "--frames trajectory.txt --out link.txt",
+        "--frames trajectory.txt --rubric course.toml --out course.toml",
+        "--frames class.csv --out-dir .",
+    ] {
+        let output = parsim2d(path, &format!("grade {out}"));
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{out}: {message}");
+        assert!(message.contains("would be written over"), "{out}: {message}");
+        assert_eq!(contents(path), before, "{out}");
+    }
+}
+
+#[test]
+fn grading_ends_with_3_where_a_result_finds_no_room_and_reads_nothing_without_an_end() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path();
+    assert!(parsim2d(path, RUN).status.success());
+    for arguments in
+        ["--frames trajectory.txt > /dev/full", "--frames /dev/zero", "--frames no_such_file"]
+    {
+        let line = format!("'{}' grade {arguments}", env!("CARGO_BIN_EXE_parsim2d"));
+        let shell = Command::new("bash").args(["-c", &line]).current_dir(path).output().unwrap();
+        let message = String::from_utf8_lossy(&shell.stderr).into_owned();
+        assert_eq!(shell.status.code(), Some(3), "{arguments}: {message}");
+        assert!(message.starts_with("error: "), "{arguments}: {message}");
+    }
+}

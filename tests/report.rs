@@ -315,3 +315,23 @@ fn without_a_run_there_is_no_report() {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "{arguments:?}");
     }
 }
+
+#[test]
+fn a_ledger_that_cannot_be_read_is_told_of_and_one_that_was_not_kept_is_not_missed() {
+    let (folder, page) = report_of(&["-n", "2", "--time", "1ms", "--seed", "1"], 0);
+    assert!(!page.contains(ENGLISH.no_energy));
+    let ledger = fs::read_to_string(folder.path().join("energy.csv")).unwrap();
+    let lines: Vec<&str> = ledger.lines().collect();
+    let torn = format!("{}\nnan,nan,1e308,inf,x\n", lines[..5].join("\n"));
+    for (text, said) in [(torn.as_str(), "line 6"), (&ledger[..ledger.len() - 9], "line")] {
+        fs::write(folder.path().join("energy.csv"), text).unwrap();
+        let told = parsim2d(folder.path(), &["report"]).success().get_output().stderr.clone();
+        let told = String::from_utf8(told).unwrap();
+        let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+        assert!(told.starts_with("note: ") && told.contains(said), "{told}");
+        assert!(page.contains("energy.csv: ") && !page.contains(ENGLISH.no_energy), "{told}");
+    }
+    let (_, page) =
+        report_of(&["-n", "2", "--time", "1ms", "--seed", "1", "--energy-every", "0"], 0);
+    assert!(page.contains(ENGLISH.no_energy));
+}

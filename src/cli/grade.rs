@@ -8,8 +8,8 @@ mod proof;
 mod sheets;
 mod submissions;
 
-use std::fs;
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -40,6 +40,17 @@ Examples:
 Exit codes: 0 graded whatever the score, 1 below --fail-under, 2 usage or rubric error, 3 a sandbox or file failed.";
 
 pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
+    graded(arguments).map_err(|why| match why {
+        // 1 is for who is below --fail-under.
+        Failure::Stdout(why) if why.kind() != io::ErrorKind::BrokenPipe => {
+            Failure::Grade(GradeError::Unwritten(Failure::Stdout(why).to_string()))
+        }
+        Failure::Output(why) => Failure::Grade(GradeError::Unwritten(why.to_string())),
+        _ => why,
+    })
+}
+
+fn graded(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     let rubric = arguments.rubric.as_deref().map(rubric).transpose()?.unwrap_or_default();
     let mut out = io::stdout().lock();
     if arguments.init_rubric {
@@ -63,7 +74,7 @@ fn grade_files(arguments: &GradeArguments, rubric: &Rubric) -> Result<ExitCode, 
     let names: Vec<String> =
         arguments.frames.iter().map(|path| path.display().to_string()).collect();
     let short = short_names(&names);
-    let sheets = Sheets::open(&arguments.sheets, &names)?;
+    let sheets = Sheets::open(&arguments.sheets, &names, &arguments.inputs())?;
     let entries = grade_all(
         arguments.frames.iter().cloned(),
         arguments.jobs(),
@@ -77,10 +88,21 @@ fn grade_files(arguments: &GradeArguments, rubric: &Rubric) -> Result<ExitCode, 
 /// Grades a file of frames.
 fn grade_frames(path: &Path, rubric: &Rubric) -> Result<Graded, String> {
     let began = Instant::now();
-    let bytes = fs::read(path).map_err(|why| format!("cannot be read: {why}"))?;
+    let bytes = read(path).map_err(|why| format!("cannot be read: {why}"))?;
     let mut graded = Graded::of_frames(&path.display().to_string(), &bytes, rubric);
     graded.seconds = began.elapsed().as_secs_f64();
     Ok(graded)
+}
+
+/// The bytes of a file, which may be a pipe and must come to an end.
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    const MOST_BYTES: u64 = 1 << 30;
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(io::Error::other("it has more than a gibibyte, or no end"));
+    }
+    Ok(bytes)
 }
 
 /// 3 if a submission could not be graded, else 1 if one has less than `least` per cent, else 0.
@@ -104,7 +126,8 @@ fn exit_code(entries: &[Entry], least: Option<f64>) -> u8 {
 
 fn rubric(path: &Path) -> Result<Rubric, GradeError> {
     let refused = |why: String| GradeError::Rubric { path: path.to_owned(), why };
-    let text = fs::read_to_string(path).map_err(|why| refused(why.to_string()))?;
+    let bytes = read(path).map_err(|why| refused(why.to_string()))?;
+    let text = String::from_utf8(bytes).map_err(|_| refused("it is not text".to_owned()))?;
     let mut rubric = Rubric::parse(&text).map_err(refused)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     if let Some(interface) = &mut rubric.interface {

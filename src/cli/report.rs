@@ -10,9 +10,11 @@ use clap::Args;
 use super::claim::shown;
 use super::plot::{FrameFile, ledger};
 use super::refusal::Refusal;
+use super::say::say;
 use super::told::{Told, Untold};
 use super::typed::quoted;
 use super::{Failure, answer};
+use crate::analysis::energy::LedgerRow;
 use crate::echo;
 use crate::figure::Figure;
 use crate::figure::frame::{self, Choice, ColourBy, fastest, has_velocities};
@@ -108,8 +110,7 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let typed = typed.map(|k| results.remove(k).1);
     let scenario = said.map(|(_, scenario)| scenario);
     let seen = Seen::of(&frames, whole - 1)?;
-    // None was kept, or it has one line only.
-    let rows = ledger(&folder.join("energy.csv")).unwrap_or_default();
+    let (rows, no_rows) = rows_of(&folder.join("energy.csv"));
     let no_gas = scenario.as_ref().map_or(Some(NoGas::Unknown), |scenario| no_gas(scenario, &rows));
     Ok(Report {
         name: None,
@@ -122,6 +123,7 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
         diagnosis: scenario.map(|scenario| scenario.diagnosis()).map_err(|why| why.to_string()),
         failure: failure(folder),
         energy: (!rows.is_empty()).then(|| energy::figure(&rows)),
+        no_rows,
         rows,
         frames: [picture(&seen.first), picture(&seen.last)],
         cut: cut.map(|why| format!("{}: {why}", whole)),
@@ -136,6 +138,23 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
 fn parameters(record: &str) -> String {
     let lines = record.lines().filter(|line| !line.starts_with("# result"));
     lines.map(|line| format!("{line}\n")).collect()
+}
+
+/// The ledger at `path`; what is wrong with it if it is there and cannot be drawn.
+fn rows_of(path: &Path) -> (Vec<LedgerRow>, Option<String>) {
+    // None was kept, or it has the start only.
+    let has_rows = || plain_text(path).map_or(true, |text| text.lines().nth(2).is_some());
+    let is_there = path.symlink_metadata().is_ok() && has_rows();
+    match ledger(path) {
+        Ok(rows) => (rows, None),
+        Err(_) if !is_there => (Vec::new(), None),
+        Err(why) => {
+            let why = why.to_string();
+            let why = why.lines().next().unwrap_or_default().to_owned();
+            say("note", &why);
+            (Vec::new(), Some(why))
+        }
+    }
 }
 
 /// What is seen of all frames, in two passes through the file.

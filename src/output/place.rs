@@ -33,6 +33,11 @@ pub fn plain_file(path: &Path) -> io::Result<File> {
     place(path).and_then(File::open)
 }
 
+/// Whether both are names of one file that is there.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
+}
+
 /// The folder that a file named `path` lies in.
 pub fn folder_of(path: &Path) -> &Path {
     match path.parent() {

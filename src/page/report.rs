@@ -39,6 +39,8 @@ pub struct Report {
     pub energy: Option<Figure>,
     /// The ledger; none of its lines if there is none.
     pub rows: Vec<LedgerRow>,
+    /// Why a ledger that is there is not drawn.
+    pub no_rows: Option<String>,
     /// All frames, to be played.
     pub film: Film,
     /// The first and the last frame.
@@ -190,7 +192,10 @@ impl Report {
                 let panels = energy.panels.iter().zip(captions).enumerate();
                 pair(panels.map(|(k, (panel, caption))| small::panel(1 + k, panel, caption, words)))
             }
-            None => format!("<p>{}</p>\n", escaped(words.no_energy)),
+            None => {
+                let why = self.no_rows.as_deref().unwrap_or(words.no_energy);
+                format!("<p>{}</p>\n", escaped(why))
+            }
         };
         let [first, last] = &self.frames;
         let frames = [(first, words.first_frame), (last, words.last_frame)].into_iter().enumerate();

@@ -140,6 +140,16 @@ impl Folder {
         Ok(Self { folder: folder.to_owned(), files, formats })
     }
 
+    /// All files that are written.
+    pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
+        let names = self.files.iter().map(String::as_str).chain(["class"]);
+        names.flat_map(move |name| self.formats.iter().map(move |format| self.path(name, *format)))
+    }
+
+    fn path(&self, name: &str, format: Format) -> PathBuf {
+        self.folder.join(format!("{name}.{}", format.ending()))
+    }
+
     /// Names of the submissions in the tables of the class that are there already and that are none of these.
     pub fn others(&self) -> Vec<String> {
         let read = || {
@@ -189,7 +199,7 @@ impl Folder {
     }
 
     fn write(&self, name: &str, format: Format, text: &str) -> Result<(), OutputError> {
-        write_whole(&self.folder.join(format!("{name}.{}", format.ending())), text)
+        write_whole(&self.path(name, format), text)
     }
 }
 

@@ -49,6 +49,11 @@ pub(in crate::cli) struct GradeArguments {
 }
 
 impl GradeArguments {
+    /// The files that are read.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        self.frames.iter().chain(&self.rubric).cloned().collect()
+    }
+
     /// Submissions graded at once.
     pub fn jobs(&self) -> usize {
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);

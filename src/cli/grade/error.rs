@@ -49,6 +49,14 @@ pub(in crate::cli) enum GradeError {
     )]
     NoPlace { path: PathBuf },
     #[error(
+        "{} is what is graded, or the rubric, and would be written over; nothing was graded\n  \
+         way out: another --out or --out-dir",
+        echo::path(path)
+    )]
+    OverInput { path: PathBuf },
+    #[error("{0}")]
+    Unwritten(String),
+    #[error(
         "{} has a class of which not all are graded now ({} {others}); its tables would lose them, and nothing was graded\n  \
          way out: grade the whole class, or name another --out-dir; --replace-class gives them up",
         echo::path(path), "not now:", others = listed(others)
@@ -91,7 +99,7 @@ impl GradeError {
     /// 3 where the machine is at fault, 2 for bad usage.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Closed(_) | Self::NoTool { .. } => 3,
+            Self::Closed(_) | Self::NoTool { .. } | Self::Unwritten(_) => 3,
             _ => 2,
         }
     }

@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     let workshop = submissions::open(arguments)?;
     let place = workshop.private_folder().map_err(GradeError::Closed)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
-    let sheets = Sheets::open(&arguments.sheets, &names)?;
+    let sheets = Sheets::open(&arguments.sheets, &names, &arguments.inputs())?;
     let outcomes: Mutex<BTreeMap<usize, Outcome>> = Mutex::default();
     let seed = arguments.seed.unwrap_or(Program::default().seed);
     let entries = grade_all(

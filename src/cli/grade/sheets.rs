@@ -10,6 +10,7 @@ use super::arguments::SheetArguments;
 use super::error::GradeError;
 use crate::cli::Failure;
 use crate::output::OutputError;
+use crate::output::place::is_same_file;
 use crate::sheet::classroom50::{Classroom, utc};
 use crate::sheet::folder::{Around, Folder, Format, write_whole};
 use crate::sheet::json::json_of_student;
@@ -31,8 +32,13 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
-    /// Refuses what does not fit together, before anything is graded.
-    pub fn open(arguments: &SheetArguments, names: &[String]) -> Result<Self, Failure> {
+    /// Refuses what does not fit together, and what would be written over one of the `inputs`, before anything is
+    /// graded.
+    pub fn open(
+        arguments: &SheetArguments,
+        names: &[String],
+        inputs: &[PathBuf],
+    ) -> Result<Self, Failure> {
         let formats = arguments.formats();
         let count = names.len();
         if arguments.out_dir.is_none() {
@@ -54,6 +60,8 @@ impl Sheets {
             return Err(GradeError::NoPlace { path: out.clone() }.into());
         }
         let folder = arguments.out_dir.as_ref().map(open).transpose()?;
+        let written = folder.iter().flat_map(Folder::paths).chain(arguments.out.clone());
+        refuse_over_inputs(written, inputs)?;
         let others = folder.as_ref().map(Folder::others).unwrap_or_default();
         if let (Some(path), false, false) =
             (&arguments.out_dir, arguments.replace_class, others.is_empty())
@@ -124,6 +132,17 @@ impl Sheets {
             None => io::stdout().lock().write_all(text.as_bytes())?,
         }
         Ok(())
+    }
+}
+
+/// Refuses to write over what is read.
+fn refuse_over_inputs(
+    mut written: impl Iterator<Item = PathBuf>,
+    inputs: &[PathBuf],
+) -> Result<(), GradeError> {
+    match written.find(|out| inputs.iter().any(|input| is_same_file(input, out))) {
+        Some(path) => Err(GradeError::OverInput { path }),
+        None => Ok(()),
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
     let workshop = open(arguments)?;
     needs_tools(&workshop, &course)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
-    let sheets = Sheets::open(&arguments.sheets, &names)?;
+    let sheets = Sheets::open(&arguments.sheets, &names, &arguments.inputs())?;
     let marker = Marker { workshop: &workshop, course: &course };
     let entries = grade_all(
         folders,
