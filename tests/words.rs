@@ -164,12 +164,27 @@ fn mistyped_flags_and_values_are_told_by_what_was_probably_meant() {
         ("run check", "a subcommand comes first: parsim2d check", ""),
         ("--no-walls true", "a switch takes it with `=`: --no-walls=true", ""),
         ("plot frme out.txt", "'frame'", ""),
+        ("plto frame out.txt", "did you mean `plot`?", "parsim2d plot frame out.txt"),
+        ("plto frame out.txt --frame 0", "did you mean `plot`?", "plot frame out.txt --frame 0"),
+        ("resum parsim2d.ckpt", "did you mean `resume`?", "parsim2d resume parsim2d.ckpt"),
+        ("n 1000", "n is a flag, and flags begin with dashes", "way out: -n 1000\n"),
+        ("run n 1000", "n is a flag", "way out: -n 1000\n"),
+        ("check examples/bounce.toml n 1000", "n is a flag", "way out: -n 1000\n"),
+        ("n=1000", "n is a flag", "way out: -n 1000\n"),
+        ("N=5", "N is a flag", "way out: -n 5\n"),
+        ("k_n=5e4", "k_n is a flag", "way out: --kn 5e4\n"),
+        ("radius=0.5mm", "radius is a flag", "way out: --radius 0.5mm\n"),
+        ("out_dir next", "out_dir is a flag", "way out: --out-dir next\n"),
+        ("walls=false", "walls is a flag", "way out: --walls=false\n"),
+        ("--unit mm", "there is no flag --unit", "without a blank, as in --radius 0.1mm"),
+        ("--units=cm -n 5", "there is no flag --units", "as in --radius 0.1cm"),
         ("completions tcsh", "[possible values: bash", "zsh"),
     ] {
         let message = refused(folder.path(), &words.split(' ').collect::<Vec<_>>());
         assert!(message.contains(says), "{words}: {says:?} is not in\n{message}");
         assert!(message.contains(way_out), "{words}: {way_out:?} is not in\n{message}");
         assert!(!message.contains("use '-- "), "{words}: {message}");
+        assert!(!message.contains("'--quiet'"), "{words}: {message}");
     }
 }
 

@@ -149,7 +149,8 @@ fn read(path: &Path) -> Result<Settings, Failure> {
 /// Flags over file over preset; and whether a seed was drawn that matters.
 pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
-        Some(path) if path.extension().is_none() && !path.exists() => {
+        // `radius=0.5mm` has an ending, and is no file.
+        Some(path) if (path.extension().is_none() || is_assignment(path)) && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
         }
         Some(path) => arguments.settings.clone().over(read(path)?),
@@ -166,6 +167,11 @@ pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Fai
     })?;
     let was_drawn = said.seed.is_none() && scenario.is_random();
     Ok((scenario, was_drawn))
+}
+
+/// Whether `path` is rather `KEY=VALUE` than a file.
+fn is_assignment(path: &Path) -> bool {
+    path.to_string_lossy().split_once('=').is_some_and(|(key, _)| !key.contains(['/', '.']))
 }
 
 /// A seed from the operating system, short enough to type.
