@@ -171,6 +171,7 @@ fn mistyped_flags_and_values_are_told_by_what_was_probably_meant() {
         ("run n 1000", "n is a flag", "way out: -n 1000\n"),
         ("check examples/bounce.toml n 1000", "n is a flag", "way out: -n 1000\n"),
         ("n=1000", "n is a flag", "way out: -n 1000\n"),
+        ("n = 1000", "n is a flag", "way out: -n 1000\n"),
         ("N=5", "N is a flag", "way out: -n 5\n"),
         ("k_n=5e4", "k_n is a flag", "way out: --kn 5e4\n"),
         ("radius=0.5mm", "radius is a flag", "way out: --radius 0.5mm\n"),
@@ -205,7 +206,7 @@ fn numbers_that_only_look_doubtful_are_taken() {
 
 /// Mistakes in TOML, each with what it is told. A message that ends with a line to write ends with one that
 /// can be written: see below.
-const TOML: [(&str, &str); 49] = [
+const TOML: [(&str, &str); 56] = [
     ("radius = 0.5mm", "a number with a unit stands in quotes: radius = '0.5mm'"),
     ("radius = 0.5 mm  # half", "stands in quotes: radius = '0.5 mm'"),
     ("speed = 1 m/s", "stands in quotes: speed = '1 m/s'"),
@@ -257,6 +258,13 @@ const TOML: [(&str, &str); 49] = [
     ("time = '1 sec'", "`1 sec` is not a number (in s, or with one of: s, ms"),
     ("r = 5e-4", "unknown key `r`; did you mean `radius`?"),
     ("out-dir = 'x'", "did you mean `out_dir`?"),
+    ("[[disc]]\nposition = [1cm, 2cm]", "in quotes, each: position = ['1cm', '2cm']"),
+    ("[[disc]]\nposition = [0, 2 cm]  # two", "in quotes, each: position = [0, '2 cm']"),
+    ("gravity = [0, -9,81]", "numbers take a dot, not a comma: gravity = [0, -9.81]"),
+    ("[[disc]]\nposition = [0.01, 0,02]", "not a comma: position = [0.01, 0.02]"),
+    ("[[disc]]\nposition = [1,5, 2,5]", "not a comma: position = [1.5, 2.5]"),
+    ("integrator = verlet", "text stands in quotes: integrator = 'velocity-verlet'"),
+    ("placement = latice", "text stands in quotes: placement = 'lattice'"),
     ("{\"n\": 5}", "t.toml is JSON, not a scenario"),
 ];
 

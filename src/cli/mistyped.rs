@@ -112,7 +112,10 @@ fn no_dashes(words: &[String], word: &str) -> Option<Refusal> {
     }
     let (name, value) = match word.split_once('=') {
         Some((name, value)) => (name, Some(value.to_owned())),
-        None => (word, words.get(at + 1).filter(|next| !next.starts_with("--")).cloned()),
+        None => {
+            let mut behind = words[at + 1..].iter().filter(|word| *word != "=");
+            (word, behind.next().filter(|next| !next.starts_with("--")).cloned())
+        }
     };
     let flag = flags.without_dashes(name)?;
     let dashed = match flag.get_short() {
@@ -122,7 +125,7 @@ fn no_dashes(words: &[String], word: &str) -> Option<Refusal> {
     let is_switch = flag.is_require_equals_set();
     Some(Refusal {
         why: format!("{name} is a flag, and flags begin with dashes"),
-        way_out: match value.filter(|value| !value.is_empty() && value != "=") {
+        way_out: match value.filter(|value| !value.is_empty()) {
             Some(value) if is_switch && word.contains('=') => format!("{dashed}={value}"),
             _ if is_switch => dashed,
             Some(value) => format!("{dashed} {}", quoted(&value)),
