@@ -190,6 +190,41 @@ fn mistyped_flags_and_values_are_told_by_what_was_probably_meant() {
 }
 
 #[test]
+fn a_box_too_full_offers_only_what_nothing_else_refuses() {
+    let folder = tempfile::tempdir().unwrap();
+    // Discs so small sink through each other or move too far in a step; 1e8 of them take 26 GB.
+    for (words, offered, not) in [
+        ("-n 1e8 --radius 1e-4", "way out: -n 20371\n", "--side"),
+        ("-n 1e8 --placement lattice", "way out: -n 45770\n", "--side"),
+        ("-n 1e6", "-n 20371, or --side", "--radius"),
+        ("-n 1000 --radius 2e-3", "-n 50, or --radius 4.3e-4, or --side 0.19", "lattice"),
+        // Nothing of it is firm: what runs is offered still.
+        ("-n 1e6 --kn 5e3", "-n ", "lattice"),
+    ] {
+        let message = refused(folder.path(), &words.split(' ').collect::<Vec<_>>());
+        assert!(message.contains("too full") || message.contains("too small"), "{message}");
+        let way_out = message.split("way out").nth(1).unwrap();
+        assert!(message.contains(offered) && !way_out.contains(not), "{words}: {message}");
+    }
+}
+
+#[test]
+fn check_says_how_long_a_run_takes_in_a_unit_that_suits_it() {
+    let folder = tempfile::tempdir().unwrap();
+    // 20 million particle-steps a second are taken for usual; 112500 steps a second of the guide's run.
+    for (words, says) in [
+        ("check", "particle-steps, under a second\n"),
+        ("check --time 100", "particle-steps, roughly 11 seconds\n"),
+        ("check --time 10 -n 1000 --nt 100", "particle-steps, roughly 1.9 minutes\n"),
+    ] {
+        let words: Vec<&str> = words.split(' ').collect();
+        let output = parsim2d(folder.path(), &words).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains(says), "{words:?}: {text}");
+    }
+}
+
+#[test]
 fn numbers_that_only_look_doubtful_are_taken() {
     let folder = folder_of_files();
     for words in [

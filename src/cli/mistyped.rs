@@ -261,9 +261,7 @@ impl Flags {
                 || flag.get_short().is_some_and(|letter| name == letter.to_string())
         };
         let flag = self.all.iter().find(is_it);
-        flag.is_some_and(|flag| {
-            flag.get_action().takes_values() && !flag.is_require_equals_set()
-        })
+        flag.is_some_and(|flag| flag.get_action().takes_values() && !flag.is_require_equals_set())
     }
 
     fn longs(&self) -> Vec<&str> {

@@ -25,7 +25,7 @@ use crate::output::{record, wants_room};
 use crate::scenario::error::ScenarioError;
 use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
-use crate::scenario::{Scenario, file, judgement};
+use crate::scenario::{Scenario, file, judgement, post_mortem};
 use crate::simulation::time_step;
 
 #[derive(Args, Clone)]
@@ -119,7 +119,7 @@ fn is_unheard(error: &io::Error) -> bool {
 /// Where to give the flags that the `failure` of a resumed run names: `resume` takes none of them.
 fn new_run(record: &Path, failure: &FailureReport) -> String {
     let flags = failure.ways_out.iter().find(|way| way.starts_with("--"));
-    let flags = flags.map_or("--allow-unstable", String::as_str);
+    let flags = flags.map_or("--allow-unstable", |way| post_mortem::flags(way));
     let record = quoted(&shown(record));
     format!(
         "\n  `resume` cannot change them, a new run can: parsim2d {record} --out-dir again {flags}"
