@@ -115,13 +115,15 @@ fn a_flag_of_physics_names_the_run_of_the_folder_that_was_named() {
         ("resume --border mm", "parsim2d mm/last-run.toml --out-dir again --border;"),
         ("resume --nt 100", "parsim2d last-run.toml --out-dir again --nt 100;"),
     ] {
-        let message = refused(folder.path(), arguments);
+        let output = outcome(folder.path(), arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {message}");
         assert!(message.contains(way_out), "{arguments}: {way_out:?} is not in\n{message}");
     }
     let output = outcome(folder.path(), "mm/last-run.toml --out-dir again --nt 100");
     assert!(output.status.success(), "{}", text(&output.stderr));
     fs::remove_file(folder.path().join("mm/last-run.toml")).unwrap();
-    let message = refused(folder.path(), "resume mm --nt 100");
+    let message = text(&outcome(folder.path(), "resume mm --nt 100").stderr);
     assert!(!message.contains("last-run.toml"), "there is none: {message}");
 }
 
