@@ -117,6 +117,10 @@ fn no_dashes(words: &[String], word: &str) -> Option<Refusal> {
             (word, behind.next().filter(|next| !next.starts_with("--")).cloned())
         }
     };
+    let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    if name == word && value.is_none() && did_you_mean(word, &known).is_some() {
+        return None; // `preset`, alone, is rather `presets`
+    }
     let flag = flags.without_dashes(name)?;
     let dashed = match flag.get_short() {
         Some(letter) if name.len() == 1 => format!("-{letter}"),
