@@ -44,12 +44,8 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
         return Some(refusal);
     }
     match error.kind() {
-        ErrorKind::UnknownArgument if is_of_run(command, words) => {
-            let unknown = said(ContextKind::InvalidArg)?;
-            match unknown.starts_with('-') {
-                true => flags.unknown(words, unknown),
-                false => two_scenarios(words, unknown),
-            }
+        ErrorKind::UnknownArgument if is_stray(command, words, said(ContextKind::InvalidArg)?) => {
+            two_scenarios(words, said(ContextKind::InvalidArg)?)
         }
         ErrorKind::UnknownArgument => flags.unknown(words, said(ContextKind::InvalidArg)?),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
@@ -77,10 +73,10 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
     }
 }
 
-/// Whether the `words` are those of a run, or of its diagnosis.
-fn is_of_run(command: &Command, words: &[String]) -> bool {
+/// Whether `unknown` is no flag and one word too many of a run, or of its diagnosis.
+fn is_stray(command: &Command, words: &[String], unknown: &str) -> bool {
     let sub = words.first().and_then(|first| command.find_subcommand(first));
-    sub.is_none_or(|sub| ["run", "check"].contains(&sub.get_name()))
+    !unknown.starts_with('-') && sub.is_none_or(|sub| ["run", "check"].contains(&sub.get_name()))
 }
 
 /// What to say of a first word that is a subcommand but for a slip, with words of its own behind it.
