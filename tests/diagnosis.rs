@@ -163,7 +163,7 @@ fn the_parameter_that_does_most_is_blamed() {
 
 /// A way out as keys of a scenario file; nothing for one that is not a flag.
 fn as_keys(way_out: &str) -> Option<String> {
-    let flags = way_out.replace(" with ", " ");
+    let flags = way_out.replace(" with ", " ").replace(" in place of --dt", "");
     let words: Vec<&str> = flags.split_whitespace().collect();
     let pairs = words.chunks(2).map(|pair| match pair {
         [flag, value] => {
@@ -235,6 +235,46 @@ proptest! {
                 };
                 prop_assert!(!again.iter().any(is_as_grave), "{text}\n{way_out}\n{again:?}");
             }
+        }
+    }
+}
+
+#[test]
+fn a_way_out_beside_a_time_step_that_was_said_stands_in_its_place() {
+    for (text, is_said) in [
+        ("radius = 5e-4\ndt = 2e-4", true),
+        ("radius = 5e-4\ndt = 1e-4", true),
+        ("radius = 5e-4\nrestitution = 0.01\ndt = 'auto'", true),
+        ("radius = 5e-4\nnt = 4", false),
+    ] {
+        let findings = scenario(text).findings();
+        let finer: Vec<&String> = findings
+            .iter()
+            .flat_map(|finding| &finding.ways_out)
+            .filter(|way_out| way_out.starts_with("--nt "))
+            .collect();
+        assert!(!finer.is_empty(), "{text}: {findings:?}");
+        for way_out in finer {
+            assert_eq!(way_out.ends_with(" in place of --dt"), is_said, "{text}: {way_out}");
+        }
+    }
+}
+
+#[test]
+fn no_way_out_leads_to_discs_that_sink_through_each_other() {
+    // Overlaps, in radii, of a fall with these: 123 and 39; the last two are mended by another stiffness.
+    for (text, offers, not) in [
+        ("kn = 5", "--kn 5e4", "--nt"),
+        ("mass = 1", "--mass 0.001", "--nt"),
+        ("dt = 1e-2\nspeed = 500\nkn = 5", "", "--nt"),
+    ] {
+        let finding = scenario(text).refusal().unwrap_or_else(|| panic!("{text}"));
+        let ways_out = finding.ways_out.join(", or ");
+        assert!(ways_out.contains(offers) && !ways_out.contains(not), "{text}: {ways_out}");
+        for way_out in &finding.ways_out {
+            let Some(keys) = as_keys(way_out) else { continue };
+            let mended = Scenario::resolve(&settings(&keys).over(settings(text)), || 1).unwrap();
+            assert!(mended.expected_overlap() <= 2.0, "{text}: {way_out}");
         }
     }
 }

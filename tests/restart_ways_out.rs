@@ -102,6 +102,51 @@ fn physics_flags_are_refused_with_a_reason() {
 }
 
 #[test]
+fn a_flag_of_physics_names_the_run_of_the_folder_that_was_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let begin = "-n 5 --seed 1 --time 2ms -q --checkpoint-every 1h --out-dir";
+    assert!(outcome(folder.path(), &format!("{begin} mm")).status.success());
+    assert!(outcome(folder.path(), &format!("{begin} . --radius 2e-4")).status.success());
+    for (arguments, way_out) in [
+        ("resume mm --nt 100", "parsim2d mm/last-run.toml --out-dir again --nt 100;"),
+        ("resume --nt 100 mm", "parsim2d mm/last-run.toml --out-dir again --nt 100;"),
+        ("resume mm/parsim2d.ckpt --nt=100", "mm/last-run.toml --out-dir again --nt=100;"),
+        ("resume -q mm --time 4ms -n 7", "parsim2d mm/last-run.toml --out-dir again -n 7;"),
+        ("resume --border mm", "parsim2d mm/last-run.toml --out-dir again --border;"),
+        ("resume --nt 100", "parsim2d last-run.toml --out-dir again --nt 100;"),
+    ] {
+        let output = outcome(folder.path(), arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {message}");
+        assert!(message.contains(way_out), "{arguments}: {way_out:?} is not in\n{message}");
+    }
+    let output = outcome(folder.path(), "mm/last-run.toml --out-dir again --nt 100");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    fs::remove_file(folder.path().join("mm/last-run.toml")).unwrap();
+    let message = text(&outcome(folder.path(), "resume mm --nt 100").stderr);
+    assert!(!message.contains("last-run.toml"), "there is none: {message}");
+}
+
+#[test]
+fn a_run_begun_quietly_goes_on_as_loud_as_it_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let begin = "-n 5 --seed 1 --time 2ms -q --checkpoint-every 1h";
+    assert!(outcome(folder.path(), begin).status.success());
+    for (arguments, is_loud) in [
+        ("resume --time 4ms", true),
+        ("resume --time 6ms -q", false),
+        ("resume --time 8ms --quiet=false", true),
+        ("resume --time 10ms --quiet", false),
+    ] {
+        let output = outcome(folder.path(), arguments);
+        let said = format!("{}{}", text(&output.stdout), text(&output.stderr));
+        assert!(output.status.success(), "{arguments}: {said}");
+        assert_eq!(said.contains("going on from step"), is_loud, "{arguments}: {said}");
+        assert_eq!(!output.stdout.is_empty(), is_loud, "{arguments}: {said}");
+    }
+}
+
+#[test]
 fn a_run_that_is_done_or_went_wrong_says_so_when_it_is_resumed() {
     let folder = tempfile::tempdir().unwrap();
     assert!(outcome(folder.path(), "-n 5 --seed 1 --time 1ms -q").status.success());

@@ -142,7 +142,8 @@ fn every_way_out_of_a_refusal_works() {
         let ways_out: Vec<_> = ways_out.expect(&error).split(", or ").collect();
         assert!(ways_out.len() >= 2, "{text}: {error}");
         for way_out in ways_out {
-            let (flag, value) = way_out.split_once(' ').unwrap();
+            let bare = way_out.trim_end_matches(" in place of --dt");
+            let (flag, value) = bare.split_once(' ').unwrap();
             let value = if value == "auto" { "'auto'" } else { value };
             let flags = settings(&format!("{} = {value}", flag.trim_start_matches("--")));
             let mended = Scenario::resolve(&flags.over(settings(text)), || 1);
@@ -173,7 +174,8 @@ fn ways_out_of_a_box_too_full_find_room() {
             let ways_out: Vec<_> = ways_out.expect(&error).split(", or ").collect();
             assert!(!ways_out.is_empty(), "{error}");
             for way_out in ways_out {
-                let (flag, value) = way_out.split_once(' ').unwrap();
+                let bare = way_out.trim_end_matches(" in place of --dt");
+                let (flag, value) = bare.split_once(' ').unwrap();
                 let value = if value == "lattice" { "'lattice'" } else { value };
                 let flags = format!("{} = {value}", flag.trim_start_matches('-'));
                 let mended = layered(&flags, &text).build();

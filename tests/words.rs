@@ -164,12 +164,63 @@ fn mistyped_flags_and_values_are_told_by_what_was_probably_meant() {
         ("run check", "a subcommand comes first: parsim2d check", ""),
         ("--no-walls true", "a switch takes it with `=`: --no-walls=true", ""),
         ("plot frme out.txt", "'frame'", ""),
+        ("plto frame out.txt", "did you mean `plot`?", "parsim2d plot frame out.txt"),
+        ("plto frame out.txt --frame 0", "did you mean `plot`?", "plot frame out.txt --frame 0"),
+        ("resum parsim2d.ckpt", "did you mean `resume`?", "parsim2d resume parsim2d.ckpt"),
+        ("n 1000", "n is a flag, and flags begin with dashes", "way out: -n 1000\n"),
+        ("run n 1000", "n is a flag", "way out: -n 1000\n"),
+        ("check examples/bounce.toml n 1000", "n is a flag", "way out: -n 1000\n"),
+        ("n=1000", "n is a flag", "way out: -n 1000\n"),
+        ("n = 1000", "n is a flag", "way out: -n 1000\n"),
+        ("N=5", "N is a flag", "way out: -n 5\n"),
+        ("k_n=5e4", "k_n is a flag", "way out: --kn 5e4\n"),
+        ("radius=0.5mm", "radius is a flag", "way out: --radius 0.5mm\n"),
+        ("out_dir next", "out_dir is a flag", "way out: --out-dir next\n"),
+        ("walls=false", "walls is a flag", "way out: --walls=false\n"),
+        ("--unit mm", "there is no flag --unit", "without a blank, as in --radius 0.1mm"),
+        ("--units=cm -n 5", "there is no flag --units", "as in --radius 0.1cm"),
         ("completions tcsh", "[possible values: bash", "zsh"),
     ] {
         let message = refused(folder.path(), &words.split(' ').collect::<Vec<_>>());
         assert!(message.contains(says), "{words}: {says:?} is not in\n{message}");
         assert!(message.contains(way_out), "{words}: {way_out:?} is not in\n{message}");
         assert!(!message.contains("use '-- "), "{words}: {message}");
+        assert!(!message.contains("'--quiet'"), "{words}: {message}");
+    }
+}
+
+#[test]
+fn a_box_too_full_offers_only_what_nothing_else_refuses() {
+    let folder = tempfile::tempdir().unwrap();
+    // Discs so small sink through each other or move too far in a step; 1e8 of them take 26 GB.
+    for (words, offered, not) in [
+        ("-n 1e8 --radius 1e-4", "way out: -n 20371\n", "--side"),
+        ("-n 1e8 --placement lattice", "way out: -n 45770\n", "--side"),
+        ("-n 1e6", "way out: -n 20371\n", "--side"), // a fall through a box of 0.29 m sinks them 3 r
+        ("-n 1000 --radius 2e-3", "-n 50, or --radius 4.3e-4, or --side 0.19", "lattice"),
+        // Nothing of it is firm: what runs is offered still.
+        ("-n 1e6 --kn 5e3", "-n ", "lattice"),
+    ] {
+        let message = refused(folder.path(), &words.split(' ').collect::<Vec<_>>());
+        assert!(message.contains("too full") || message.contains("too small"), "{message}");
+        let way_out = message.split("way out").nth(1).unwrap();
+        assert!(message.contains(offered) && !way_out.contains(not), "{words}: {message}");
+    }
+}
+
+#[test]
+fn check_says_how_long_a_run_takes_in_a_unit_that_suits_it() {
+    let folder = tempfile::tempdir().unwrap();
+    // 20 million particle-steps a second are taken for usual; 112500 steps a second of the guide's run.
+    for (words, says) in [
+        ("check", "particle-steps, under a second\n"),
+        ("check --time 100", "particle-steps, roughly 11 seconds\n"),
+        ("check --time 10 -n 1000 --nt 100", "particle-steps, roughly 1.9 minutes\n"),
+    ] {
+        let words: Vec<&str> = words.split(' ').collect();
+        let output = parsim2d(folder.path(), &words).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains(says), "{words:?}: {text}");
     }
 }
 
@@ -190,7 +241,7 @@ fn numbers_that_only_look_doubtful_are_taken() {
 
 /// Mistakes in TOML, each with what it is told. A message that ends with a line to write ends with one that
 /// can be written: see below.
-const TOML: [(&str, &str); 49] = [
+const TOML: [(&str, &str); 56] = [
     ("radius = 0.5mm", "a number with a unit stands in quotes: radius = '0.5mm'"),
     ("radius = 0.5 mm  # half", "stands in quotes: radius = '0.5 mm'"),
     ("speed = 1 m/s", "stands in quotes: speed = '1 m/s'"),
@@ -242,6 +293,13 @@ const TOML: [(&str, &str); 49] = [
     ("time = '1 sec'", "`1 sec` is not a number (in s, or with one of: s, ms"),
     ("r = 5e-4", "unknown key `r`; did you mean `radius`?"),
     ("out-dir = 'x'", "did you mean `out_dir`?"),
+    ("[[disc]]\nposition = [1cm, 2cm]", "in quotes, each: position = ['1cm', '2cm']"),
+    ("[[disc]]\nposition = [0, 2 cm]  # two", "in quotes, each: position = [0, '2 cm']"),
+    ("gravity = [0, -9,81]", "numbers take a dot, not a comma: gravity = [0, -9.81]"),
+    ("[[disc]]\nposition = [0.01, 0,02]", "not a comma: position = [0.01, 0.02]"),
+    ("[[disc]]\nposition = [1,5, 2,5]", "not a comma: position = [1.5, 2.5]"),
+    ("integrator = verlet", "text stands in quotes: integrator = 'velocity-verlet'"),
+    ("placement = latice", "text stands in quotes: placement = 'lattice'"),
     ("{\"n\": 5}", "t.toml is JSON, not a scenario"),
 ];
 

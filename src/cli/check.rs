@@ -11,6 +11,7 @@ use super::run::{RunArguments, scenario};
 use super::say::say;
 use super::wrapped::wrapped;
 use super::{Failure, memory};
+use crate::output::number::counted;
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 use crate::scenario::memory::bytes;
@@ -106,8 +107,8 @@ fn write_text(
         writeln!(out, "{:<40} {dt:>11} {fraction:>11}   {}", limit.by, coloured(limit.verdict))?;
     }
     writeln!(out, "{}", wrapped(CAVEAT, 80))?;
-    let minutes = particle_steps / notes::USUAL_SPEED / 60.0;
-    writeln!(out, "the run: {particle_steps:.1e} particle-steps, roughly {minutes:.1} minutes")?;
+    let time = rough_time(particle_steps / notes::USUAL_SPEED);
+    writeln!(out, "the run: {particle_steps:.1e} particle-steps, {time}")?;
     writeln!(out, "memory: about {}\n", bytes(diagnosis.memory_bytes))?;
 
     if let Some(reading) = reading {
@@ -121,6 +122,17 @@ fn write_text(
         writeln!(out, "`run` refuses this; --allow-unstable runs it anyway, for the lesson")?;
     }
     Ok(())
+}
+
+/// About so many `seconds` of wall time, in words.
+fn rough_time(seconds: f64) -> String {
+    match seconds {
+        seconds if seconds < 1.0 => "under a second".to_owned(),
+        seconds if seconds < 100.0 => {
+            format!("roughly {}", counted(seconds.round() as usize, "second"))
+        }
+        seconds => format!("roughly {:.1} minutes", seconds / 60.0),
+    }
 }
 
 /// The verdict in the colour of a traffic light.

@@ -1,10 +1,14 @@
 //! What was probably meant by words of the command line that are none of its flags and files.
 
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Command};
+use std::path::Path;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, CommandFactory};
+
+use super::Cli;
 use super::file_kind::FileKind;
 use super::refusal::Refusal;
+use super::typed::quoted;
 use crate::scenario::file::did_you_mean;
 use crate::scenario::quantity::is_unit;
 
@@ -34,7 +38,15 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
         _ => None,
     };
     let flags = Flags::of(command, words);
+    let is_misplaced =
+        matches!(error.kind(), ErrorKind::UnknownArgument | ErrorKind::ArgumentConflict);
+    if let Some(refusal) = is_misplaced.then(|| misspelt(command, words)).flatten() {
+        return Some(refusal);
+    }
     match error.kind() {
+        ErrorKind::UnknownArgument if is_stray(command, words, said(ContextKind::InvalidArg)?) => {
+            two_scenarios(words, said(ContextKind::InvalidArg)?)
+        }
         ErrorKind::UnknownArgument => flags.unknown(words, said(ContextKind::InvalidArg)?),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
             let (flag, value) = (said(ContextKind::InvalidArg)?, said(ContextKind::InvalidValue)?);
@@ -47,7 +59,7 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
             flags.not_whole(flag, value, &std::error::Error::source(error)?.to_string())
         }
         ErrorKind::InvalidSubcommand => {
-            let path = std::path::Path::new(said(ContextKind::InvalidSubcommand)?);
+            let path = Path::new(said(ContextKind::InvalidSubcommand)?);
             let kind = FileKind::of(path)?;
             let why = format!(
                 "the kind of picture comes first, and {} is {}",
@@ -61,6 +73,67 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
     }
 }
 
+/// Whether `unknown` is no flag and one word too many of a run, or of its diagnosis.
+fn is_stray(command: &Command, words: &[String], unknown: &str) -> bool {
+    let sub = words.first().and_then(|first| command.find_subcommand(first));
+    !unknown.starts_with('-') && sub.is_none_or(|sub| ["run", "check"].contains(&sub.get_name()))
+}
+
+/// What to say of a first word that is a subcommand but for a slip, with words of its own behind it.
+fn misspelt(command: &Command, words: &[String]) -> Option<Refusal> {
+    let (first, rest) = words.split_first().filter(|(_, rest)| !rest.is_empty())?;
+    let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    let is_word = first.chars().all(char::is_alphanumeric) && first.len() > 2;
+    if !is_word || known.contains(&first.as_str()) || Path::new(first).exists() {
+        return None;
+    }
+    if Flags::of(command, words).without_dashes(first).is_some() {
+        return None;
+    }
+    let near = did_you_mean(first, &known)?;
+    let rest: Vec<String> = rest.iter().map(|word| quoted(word)).collect();
+    Some(Refusal {
+        why: format!("`{first}` is no subcommand; did you mean `{near}`?"),
+        way_out: format!("parsim2d {near} {}", rest.join(" ")),
+    })
+}
+
+/// What to say of a `word` that is a flag, or a key of a scenario, without its dashes: `n 1000`, `n=1000`.
+fn no_dashes(words: &[String], word: &str) -> Option<Refusal> {
+    let command = Cli::command();
+    let at = words.iter().position(|this| this == word)?;
+    let flags = Flags::of(&command, words);
+    if Path::new(word).exists() || at > 0 && flags.takes_next(&words[at - 1]) {
+        return None;
+    }
+    let (name, value) = match word.split_once('=') {
+        Some((name, value)) => (name, Some(value.to_owned())),
+        None => {
+            let mut behind = words[at + 1..].iter().filter(|word| *word != "=");
+            (word, behind.next().filter(|next| !next.starts_with("--")).cloned())
+        }
+    };
+    let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    if name == word && value.is_none() && did_you_mean(word, &known).is_some() {
+        return None; // `preset`, alone, is rather `presets`
+    }
+    let flag = flags.without_dashes(name)?;
+    let dashed = match flag.get_short() {
+        Some(letter) if name.len() == 1 => format!("-{letter}"),
+        _ => format!("--{}", flag.get_long()?),
+    };
+    let is_switch = flag.is_require_equals_set();
+    Some(Refusal {
+        why: format!("{name} is a flag, and flags begin with dashes"),
+        way_out: match value.filter(|value| !value.is_empty()) {
+            Some(value) if is_switch && word.contains('=') => format!("{dashed}={value}"),
+            _ if is_switch => dashed,
+            Some(value) => format!("{dashed} {}", quoted(&value)),
+            None => usage(flag),
+        },
+    })
+}
+
 /// What to say of a `word` where a scenario or a subcommand was to come.
 pub(super) fn stray(words: &[String], word: &str) -> Option<Refusal> {
     let before =
@@ -70,12 +143,15 @@ pub(super) fn stray(words: &[String], word: &str) -> Option<Refusal> {
         let why = format!("{word} begins with a long dash, as some programs make of two hyphens");
         return refusal(why, format!("--{}", flag.trim_start_matches(['-', '–', '—', '−'])));
     }
-    let before = before?;
-    if is_unit(word) && before.parse::<f64>().is_ok() {
-        let why = format!("`{before} {word}` are two words to a shell");
-        return refusal(why, format!("no space before the unit: {before}{word}"));
+    match before {
+        Some(before) if is_unit(word) && before.parse::<f64>().is_ok() => {
+            let why = format!("`{before} {word}` are two words to a shell");
+            return refusal(why, format!("no space before the unit: {before}{word}"));
+        }
+        Some(before) if before == "=" || word == "=" => return Some(spaces_around_equals()),
+        _ => {}
     }
-    (before == "=" || word == "=").then(spaces_around_equals)
+    no_dashes(words, word)
 }
 
 fn spaces_around_equals() -> Refusal {
@@ -94,6 +170,26 @@ fn no_such_name(flag: &str, value: &str, known: &[String]) -> Option<Refusal> {
     Some(Refusal {
         why: format!("{flag} knows no `{value}`; it knows {}", known.join(", ")),
         way_out: near,
+    })
+}
+
+/// What to say of a unit that was to be set by a flag of its own: `--unit mm`.
+fn unit_as_flag(words: &[String], said: &str) -> Option<Refusal> {
+    let flag = said.split('=').next().unwrap_or(said);
+    let is_unit_flag = ["--unit", "--units"].contains(&flag);
+    is_unit_flag.then(|| {
+        let at = words.iter().position(|word| word.starts_with(flag));
+        let behind = at.and_then(|k| match words[k].split_once('=') {
+            Some((_, value)) => Some(value),
+            None => words.get(k + 1).map(String::as_str),
+        });
+        let unit = behind.filter(|unit| ["m", "cm", "mm"].contains(unit)).unwrap_or("mm");
+        Refusal {
+            why: format!("there is no flag {flag}: values are in SI units"),
+            way_out: format!(
+                "another unit goes behind its number, without a blank, as in --radius 0.1{unit}"
+            ),
+        }
     })
 }
 
@@ -142,12 +238,41 @@ impl Flags {
         })
     }
 
+    /// The flag that is called `name` in a scenario file, or in the letters of a book, as `N` and `N_t`.
+    fn without_dashes(&self, name: &str) -> Option<&Arg> {
+        let is_short = |flag: &&Arg| {
+            flag.get_short().is_some_and(|letter| name.eq_ignore_ascii_case(&letter.to_string()))
+        };
+        let long = self.long(name).or_else(|| {
+            let small = name.to_ascii_lowercase();
+            self.longs().into_iter().find(|long| *long == small.replace('_', "-"))
+        });
+        let mut all = self.all.iter();
+        let is_it = |flag: &&Arg| long.is_some() && flag.get_long() == long || is_short(flag);
+        all.find(is_it)
+    }
+
+    /// Whether the word behind `word` is its value.
+    fn takes_next(&self, word: &str) -> bool {
+        let Some(name) = word.strip_prefix('-') else { return false };
+        let name = name.trim_start_matches('-');
+        let is_it = |flag: &&Arg| {
+            flag.get_long() == Some(name)
+                || flag.get_short().is_some_and(|letter| name == letter.to_string())
+        };
+        let flag = self.all.iter().find(is_it);
+        flag.is_some_and(|flag| flag.get_action().takes_values() && !flag.is_require_equals_set())
+    }
+
     fn longs(&self) -> Vec<&str> {
         self.all.iter().filter_map(Arg::get_long).collect()
     }
 
     /// What to say of `said`, which is no flag here.
     fn unknown(&self, words: &[String], said: &str) -> Option<Refusal> {
+        if let Some(refusal) = unit_as_flag(words, said) {
+            return Some(refusal);
+        }
         let bare = said.strip_prefix('-').filter(|bare| !bare.starts_with('-'))?;
         if bare.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
             return Some(self.negative(words, said));

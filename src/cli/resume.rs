@@ -66,11 +66,13 @@ pub(super) struct ResumeArguments {
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = thread_count)]
     threads: Option<i64>,
     /// Summary as one JSON object on stdout [default: as the run did]
-    #[arg(long)]
-    json: bool,
-    /// No progress bar, no remarks, no text summary [default: as the run did]
-    #[arg(short, long)]
-    quiet: bool,
+    #[arg(long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", hide_possible_values = true)]
+    json: Option<bool>,
+    /// No progress bar, no remarks, no text summary
+    #[arg(short, long, num_args = 0..=1, default_missing_value = "true", require_equals = true)]
+    #[arg(value_name = "BOOL", hide_possible_values = true)]
+    quiet: Option<bool>,
 }
 
 impl ResumeArguments {
@@ -90,6 +92,11 @@ impl ResumeArguments {
         }
     }
 
+    /// Quiet is a matter of this command: whoever goes on with a run may be another than who began it.
+    fn is_quiet(&self) -> bool {
+        self.quiet.unwrap_or(false)
+    }
+
     /// What is said now, as settings over those of the run that go on in `folder`. How a run is computed,
     /// and not what, may be said here too.
     fn changes(&self, folder: &Path) -> Settings {
@@ -99,8 +106,8 @@ impl ResumeArguments {
             checkpoint_every: self.checkpoint_every,
             slowdown: self.slowdown,
             threads: self.threads,
-            json: self.json.then_some(true),
-            quiet: self.quiet.then_some(true),
+            json: self.json,
+            quiet: Some(self.is_quiet()),
             ..Settings::default()
         }
     }
@@ -116,7 +123,7 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
         false => Claim::of_new_run(folder)?,
     };
     if let Some(said) = is_done(&file).filter(|_| arguments.time.is_none()) {
-        return Ok(nothing_to_do(&said, arguments.quiet));
+        return Ok(nothing_to_do(&said, arguments.is_quiet()));
     }
     let checkpoint = Checkpoint::read(&file).map_err(|why| unreadable(&file, &why))?;
     let Checkpoint { scenario: text, progress, mut arrays } = checkpoint;

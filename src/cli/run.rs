@@ -25,7 +25,7 @@ use crate::output::{record, wants_room};
 use crate::scenario::error::ScenarioError;
 use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
-use crate::scenario::{Scenario, file, judgement};
+use crate::scenario::{Scenario, file, judgement, post_mortem};
 use crate::simulation::time_step;
 
 #[derive(Args, Clone)]
@@ -119,7 +119,7 @@ fn is_unheard(error: &io::Error) -> bool {
 /// Where to give the flags that the `failure` of a resumed run names: `resume` takes none of them.
 fn new_run(record: &Path, failure: &FailureReport) -> String {
     let flags = failure.ways_out.iter().find(|way| way.starts_with("--"));
-    let flags = flags.map_or("--allow-unstable", String::as_str);
+    let flags = flags.map_or("--allow-unstable", |way| post_mortem::flags(way));
     let record = quoted(&shown(record));
     format!(
         "\n  `resume` cannot change them, a new run can: parsim2d {record} --out-dir again {flags}"
@@ -149,7 +149,8 @@ fn read(path: &Path) -> Result<Settings, Failure> {
 /// Flags over file over preset; and whether a seed was drawn that matters.
 pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
-        Some(path) if path.extension().is_none() && !path.exists() => {
+        // `radius=0.5mm` has an ending, and is no file.
+        Some(path) if (path.extension().is_none() || is_assignment(path)) && !path.exists() => {
             return Err(Failure::unknown_command(&path.to_string_lossy()));
         }
         Some(path) => arguments.settings.clone().over(read(path)?),
@@ -166,6 +167,11 @@ pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Fai
     })?;
     let was_drawn = said.seed.is_none() && scenario.is_random();
     Ok((scenario, was_drawn))
+}
+
+/// Whether `path` is rather `KEY=VALUE` than a file.
+fn is_assignment(path: &Path) -> bool {
+    path.to_string_lossy().split_once('=').is_some_and(|(key, _)| !key.contains(['/', '.']))
 }
 
 /// A seed from the operating system, short enough to type.

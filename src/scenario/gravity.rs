@@ -113,6 +113,10 @@ impl FromStr for Gravity {
         let component = |text: &str| text.parse::<Quantity<Acceleration>>().map(|said| said.si);
         match (component(x), component(y)) {
             (Ok(x), Ok(y)) => Ok(Self::of([x, y])),
+            (Ok(_), _) if component(&y.replacen(',', ".", 1)).is_ok() => Err(format!(
+                "not two numbers: write a dot, not a comma, as [{x}, {}]",
+                y.trim().replacen(',', ".", 1)
+            )),
             _ => {
                 Err("not two numbers (in m/s2): a vector is [gx, gy], as [0, -9.81], y up"
                     .to_owned())
@@ -203,6 +207,7 @@ mod tests {
             ("9,81", "a dot is meant: 9.81"),
             ("-9,81", "a dot is meant: -9.81"),
             ("down", "nor a vector"),
+            ("[0, -9,81]", "not two numbers: write a dot, not a comma, as [0, -9.81]"),
             ("[1, 2, 3]", "not two numbers"),
             ("[1]", "nor a vector"),
             ("", "nor a vector"),

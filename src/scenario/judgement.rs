@@ -13,6 +13,9 @@ use super::{Scenario, StepChoice};
 /// Overlaps above this many radii are called soft.
 pub const SOFT: f64 = 0.5;
 
+/// Overlaps above this many radii are hopeless: the centres of two discs meet.
+const HOPELESS: f64 = 2.0;
+
 /// A contact of fewer steps than this is coarse: with N_t = 10, a pair's contact has 7, a crowded
 /// elastic box gains a few per cent of its energy a second.
 pub const FEWEST_STEPS: f64 = 10.0;
@@ -53,6 +56,21 @@ impl Scenario {
         self.is_stable() && !self.jumps() && self.check_clock().is_ok()
     }
 
+    /// Whether discs keep from sinking through each other: what is softer goes wrong on the way, whatever
+    /// its time step.
+    pub(super) fn is_firm_enough(&self) -> bool {
+        self.expected_overlap() <= HOPELESS
+    }
+
+    /// The stiffness, with a time step that suits it, that makes hopelessly soft discs firm; nothing if that
+    /// does not run either.
+    fn firm(&self) -> Option<(String, Self)> {
+        let stiffness = self.firm_stiffness(self.expected_overlap());
+        let mended = Self { stiffness, step: StepChoice::Auto, ..self.clone() };
+        let runs = mended.is_runnable() && mended.is_firm_enough();
+        runs.then(|| (format!("--kn {} with --dt auto", Num(stiffness)), mended))
+    }
+
     /// A finding with its parameter at fault, and up to three changes that are well: the usual value
     /// of that parameter, an N_t, and `--dt auto`. `strain` is what the finding judges; the lower, the
     /// better.
@@ -65,11 +83,18 @@ impl Scenario {
         nt: f64,
     ) -> Finding {
         let Suspect { name, value, usual, mended } = self.blamed(&is_well, strain);
-        let finer = (format!("--nt {}", Num(nt)), self.with_step(StepChoice::Nt(nt)));
+        let finer = self.in_place_of_dt(format!("--nt {}", Num(nt)));
+        let finer = (finer, self.with_step(StepChoice::Nt(nt)));
         let auto = ("--dt auto".to_owned(), self.with_step(StepChoice::Auto));
         let mut tries = vec![(usual, mended), finer, auto];
         tries.dedup_by(|a, b| a.0 == b.0);
         tries.retain(|(_, mended)| is_well(mended) && mended.is_runnable());
+        // What runs and sinks discs past each other would be refused by the guard later.
+        if tries.iter().any(|(_, mended)| mended.is_firm_enough()) {
+            tries.retain(|(_, mended)| mended.is_firm_enough());
+        } else if let Some(firm) = self.firm().filter(|(_, mended)| is_well(mended)) {
+            tries = vec![firm];
+        }
         let ways_out = tries.into_iter().map(|(way_out, _)| way_out).collect();
         Finding { matter, verdict, what, fault: name, value, ways_out }
     }

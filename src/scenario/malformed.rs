@@ -1,8 +1,13 @@
 //! What a mistake in a scenario file most likely is, in the words of the person who made it: the parser's own
 //! message knows TOML, and not what was meant.
 
+use clap::ValueEnum;
+
+use super::file::did_you_mean;
 use super::number::Num;
+use super::preset::Preset;
 use super::quantity::is_with_unit;
+use super::settings::{IntegratorName, PlacementName};
 
 /// A sentence for the parser's `message` on line `number` (from 1) of `text`, with the line as it should be;
 /// `None` where the parser says it well.
@@ -29,7 +34,48 @@ pub(super) fn sentence(message: &str, text: &str, number: usize) -> Option<Strin
         return Some(no_equals_sign(line));
     }
     let (key, value) = key_and_value(line)?;
+    if let Some(pair) = with_dots(value) {
+        return Some(format!("{DOT}: {key} = {pair}"));
+    }
     of_kind(message, key, value).or_else(|| of_value(message, key, value))
+}
+
+const DOT: &str = "numbers take a dot, not a comma";
+
+/// The pair that was meant by a list with decimal commas, told by the blank behind the other one: `[0, -9,81]`.
+fn with_dots(list: &str) -> Option<String> {
+    let (x, y) = list.strip_prefix('[')?.strip_suffix(']')?.split_once(", ")?;
+    let number = |text: &str| {
+        let dotted = text.trim().replacen(',', ".", 1);
+        (dotted.parse::<f64>().is_ok() && !dotted.ends_with('.')).then_some(dotted)
+    };
+    let (x_said, y_said) = (number(x)?, number(y)?);
+    (x.contains(',') || y.contains(',')).then(|| format!("[{x_said}, {y_said}]"))
+}
+
+/// A list of numbers with units, each of these in quotes; nothing if it is something else.
+fn each_quoted(list: &str) -> Option<String> {
+    let items = list.strip_prefix('[')?.strip_suffix(']')?.split(',').map(str::trim);
+    let quoted = items.map(|item| match item.parse::<f64>() {
+        Ok(_) => Some(item.to_owned()),
+        Err(_) => is_with_unit(item).then(|| format!("'{item}'")),
+    });
+    Some(format!("[{}]", quoted.collect::<Option<Vec<_>>>()?.join(", ")))
+}
+
+/// The name that was probably meant by `value` among those that `key` takes.
+fn nearest_name(key: &str, value: &str) -> Option<&'static str> {
+    match key {
+        "integrator" => near(value, IntegratorName::value_variants(), |name| name.name()),
+        "placement" => near(value, PlacementName::value_variants(), |name| name.name()),
+        "preset" => near(value, Preset::value_variants(), |name| name.name()),
+        _ => None,
+    }
+}
+
+fn near<T: Copy>(value: &str, all: &[T], name: fn(T) -> &'static str) -> Option<&'static str> {
+    let names: Vec<&str> = all.iter().map(|&one| name(one)).collect();
+    did_you_mean(value, &names)
 }
 
 /// The key and the value of a line, without the remark behind it.
@@ -150,14 +196,19 @@ fn of_value(message: &str, key: &str, value: &str) -> Option<String> {
         Err(_) if value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
             Some(format!("a number stands alone and is written out, as 5e-4: {value} is none"))
         }
-        Err(_) => Some(format!("text stands in quotes: {key} = '{value}'")),
+        Err(_) => {
+            let name = nearest_name(key, value).unwrap_or(value);
+            Some(format!("text stands in quotes: {key} = '{name}'"))
+        }
     }
 }
 
 /// A comma in place of the dot of a number, or between two numbers without brackets.
 fn of_commas(message: &str, key: &str, value: &str) -> Option<String> {
-    const DOT: &str = "numbers take a dot, not a comma";
     if value.starts_with('[') {
+        if let Some(list) = each_quoted(value) {
+            return Some(format!("numbers with a unit stand in quotes, each: {key} = {list}"));
+        }
         return message.contains("leading zero").then(|| format!("{DOT}: {key} = [0.01, 0.02]"));
     }
     let are_two = value.contains(", ") && value.split(',').all(|x| x.trim().parse::<f64>().is_ok());

@@ -157,8 +157,8 @@ impl Scenario {
         }
         let (deepest, many) = self.deepest_overlap(discs, |overlap| overlap.relative);
         let deepest = deepest?;
-        // Touching discs that rounding made overlap by a hair are nothing to tell.
-        (deepest.relative > 1e-6).then(|| {
+        // Touching discs that rounding made overlap by a hair, 0.000 r in the sentence, are nothing to tell.
+        (deepest.relative >= 5e-4).then(|| {
             let other = deepest.other.map_or("a wall".to_owned(), |other| format!("disc {other}"));
             format!(
                 "{} at the start; the deepest, disc {} and {other}, is {:.3} r",

@@ -185,7 +185,7 @@ impl Scenario {
         changes.push((format!("--side {}", Num(side)), Self { side, ..self.clone() }));
         let differs = |changed: &Self| changed != self;
         changes.retain(|(_, changed)| differs(changed) && changed.finds_room());
-        let ways_out: Vec<String> = changes.into_iter().map(|(way_out, _)| way_out).collect();
+        let ways_out = those_that_run(changes);
         let way_out = match ways_out.is_empty() {
             true => "fewer or smaller discs, or a larger --side".to_owned(),
             false => ways_out.join(", or "),
@@ -199,9 +199,10 @@ impl Scenario {
         let n = self.n();
         let holds = |radius: f64, side: f64| placement::lattice_capacity(radius, side) >= n;
         let most = placement::lattice_capacity(self.radius, self.side);
-        let mut ways_out = Vec::new();
+        let mut changes = Vec::new();
         if most > 0 {
-            ways_out.push(format!("-n {most}"));
+            let discs = DiscSource::Equal(most);
+            changes.push((format!("-n {most}"), Self { discs, ..self.clone() }));
         }
         let two_digits = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
         // By steps of one in the second digit; what a lattice covers lies between 0.5 and 0.9069 of the box.
@@ -212,8 +213,9 @@ impl Scenario {
         while !holds(self.radius, side) {
             side = two_digits(side + 0.1 * 10f64.powf(side.log10().floor()));
         }
-        ways_out.extend([format!("--radius {}", Num(radius)), format!("--side {}", Num(side))]);
-        ways_out
+        changes.push((format!("--radius {}", Num(radius)), Self { radius, ..self.clone() }));
+        changes.push((format!("--side {}", Num(side)), Self { side, ..self.clone() }));
+        those_that_run(changes)
     }
 
     /// Whether the discs can be placed with this seed and the next few. For very many discs the
@@ -229,4 +231,21 @@ impl Scenario {
         }
         (0..4).all(|more| self.placed(self.seed + more).is_ok())
     }
+}
+
+/// The ways out that nothing else stands against, neither the judgement nor the memory of a laptop; if there is
+/// none such, those that are not refused; and if none again, all: room at least they have.
+fn those_that_run(changes: Vec<(String, Scenario)>) -> Vec<String> {
+    const LAPTOP: u64 = 8_000_000_000; // bytes
+    let runs = |changed: &Scenario| changed.is_runnable() && changed.memory() <= LAPTOP;
+    let runs_well = |changed: &Scenario| runs(changed) && changed.is_firm_enough();
+    let is_any = |of: &dyn Fn(&Scenario) -> bool| changes.iter().any(|(_, changed)| of(changed));
+    let (some_run, some_run_well) = (is_any(&runs), is_any(&runs_well));
+    let is_kept = |changed: &Scenario| match (some_run_well, some_run) {
+        (true, _) => runs_well(changed),
+        (_, true) => runs(changed),
+        _ => true,
+    };
+    let kept = changes.into_iter().filter(|(_, changed)| is_kept(changed));
+    kept.map(|(way_out, _)| way_out).collect()
 }

@@ -3,9 +3,19 @@
 use super::Scenario;
 use super::finding::{Finding, Matter, Verdict};
 use super::number::{Num, round_up};
+use super::suspects::IN_PLACE_OF_DT;
 use crate::analysis::guard::{Trouble, Wrong};
 use crate::output::failure::FailureReport;
 use crate::simulation::time_step;
+
+/// What is said behind a finer step that may help.
+const TO_SEE: &str = " to see whether a finer step helps";
+
+/// The flags of a way out, without the words behind them.
+pub fn flags(way_out: &str) -> &str {
+    let bare = way_out.strip_suffix(TO_SEE).unwrap_or(way_out);
+    bare.strip_suffix(IN_PLACE_OF_DT).unwrap_or(bare)
+}
 
 impl Scenario {
     /// What is to be said of `trouble` in a run of this scenario, `stopped` by it or not.
@@ -65,10 +75,8 @@ impl Scenario {
              moved {} r in a step",
             Num::rounded(travel)
         );
-        (
-            sentence,
-            vec![format!("--nt {} to see whether a finer step helps", Num(round_up(4.0 * nt)))],
-        )
+        let finer = self.in_place_of_dt(format!("--nt {}", Num(round_up(4.0 * nt))));
+        (sentence, vec![format!("{finer}{TO_SEE}")])
     }
 }
 

@@ -10,6 +10,9 @@ use super::preset::Preset;
 use super::{DampingChoice, DiscSource, Population, Scenario, StepChoice};
 use crate::particle::Particle;
 
+/// What is said behind `--nt N` where the step was set by `--dt`.
+pub(super) const IN_PLACE_OF_DT: &str = " in place of --dt";
+
 /// A parameter and the scenario with this one put back to its usual value.
 pub(super) struct Suspect {
     /// Its flag, or the disc that has it.
@@ -186,8 +189,17 @@ impl Scenario {
         Suspect {
             name: name.to_owned(),
             value: Num(value).to_string(),
-            usual: format!("{usual_flag} {usual_value}"),
+            usual: self.in_place_of_dt(format!("{usual_flag} {usual_value}")),
             mended: self.with_step(usual),
+        }
+    }
+
+    /// The way out `--nt N`, as it is said: the flag stands beside no `--dt`, which a command that set its step by it
+    /// has.
+    pub(super) fn in_place_of_dt(&self, way_out: String) -> String {
+        match self.step {
+            StepChoice::Nt(_) => way_out,
+            StepChoice::Seconds(_) | StepChoice::Auto => format!("{way_out}{IN_PLACE_OF_DT}"),
         }
     }
 

@@ -62,7 +62,7 @@ impl Scenario {
 
     /// The stiffness that brings overlaps of `overlap` radii down to [`FIRM`], as a number to type. A
     /// stiffer contact is less damped, so that this is found by trying.
-    fn firm_stiffness(&self, overlap: f64) -> f64 {
+    pub(super) fn firm_stiffness(&self, overlap: f64) -> f64 {
         let with = |stiffness| Self { stiffness, ..self.clone() };
         let wanted = FIRM * self.expected_overlap() / overlap;
         let (mut soft, mut firm) = (self.stiffness, 2.0 * self.stiffness);

@@ -123,7 +123,7 @@ impl Scenario {
         for _ in 0..20 {
             let finer = self.with_step(StepChoice::Nt(nt));
             if finer.keeps_restitution() && finer.is_runnable() {
-                return Some(format!("--nt {}", Num(nt)));
+                return Some(self.in_place_of_dt(format!("--nt {}", Num(nt))));
             }
             nt = round_up(1.2 * nt);
         }
