@@ -105,7 +105,7 @@ fn without_a_heading_only_what_is_certain_is_read_and_nothing_is_guessed_in_sile
         ("\u{feff}0.25 0.5 0.02\r\n0.45 0.5 0.02\r\n", &bare, false),
         ("2.5D-1 0.5 2d-2\n0.45 0.5 0.02\n", &bare, false),
         // A count that nobody could read as radius.
-        ("0.25 0.5 0.02 17\n0.45 0.5 0.02 19\n", &bare, false),
+        ("0.25 0.5 0.02 17\n0.45 0.5 0.02 19\n", &bare, true),
         // z = 0 is no radius, nor is a velocity to the left.
         ("0.25 0.5 0 0.02\n0.45 0.5 0 0.02\n", &bare, true),
         ("0.25 0.5 0.1 0 0.02\n0.45 0.5 -0.1 0 0.02\n", &moving, true),
@@ -322,5 +322,64 @@ fn a_deep_overlap_in_a_file_without_heading_does_not_blame_the_discs() {
         let said = text(&outcome(folder.path(), "--start start.txt --time 0").stderr);
         assert!(said.contains("overlap by") && said.contains(part), "{said}");
         assert_eq!(said.contains("harder"), part.contains("harder"), "{said}");
+    }
+}
+
+#[test]
+fn rows_of_one_disc_after_another_and_an_id_twice_in_a_frame_are_refused() {
+    for (file, parts) in [
+        // Sorted by id; as many frames of one disc, else.
+        (
+            "frame,id,x,y,r\n0,0,0.25,0.5,0.02\n1,0,0.25,0.4,0.02\n0,1,0.45,0.5,0.02\n",
+            &["line 4: frame 0 comes after frame 1", "sort the rows by frame"][..],
+        ),
+        (
+            "step,id,x,y,r\n0,0,0.25,0.5,0.02\n9,0,0.25,0.4,0.02\n0,1,0.45,0.5,0.02\n",
+            &["line 4: step 0 comes after step 9", "sort the rows by step"],
+        ),
+        (
+            "t,id,x,y,r\n0,0,0.25,0.5,0.02\n0.1,0,0.25,0.4,0.02\n0,1,0.45,0.5,0.02\n",
+            &["line 4: time_s 0 comes after time_s 0.1", "sort the rows by time_s"],
+        ),
+        (
+            "id,x,y,r\n7,0.25,0.5,0.02\n8,0.45,0.5,0.02\n7,0.25,0.4,0.02\n",
+            &["line 4: id 7 comes twice", "probably these are several frames", "--columns -,x,y,r"],
+        ),
+        (
+            "frame,id,x,y,r\n3,7,0.25,0.5,0.02\n3,7,0.45,0.5,0.02\n",
+            &["line 3: id 7 comes twice", "a number of its own"],
+        ),
+        (
+            "2\nProperties=id:I:1:pos:R:2:radius:R:1\n7 0.25 0.5 0.02\n7 0.45 0.5 0.02\n",
+            &["line 4: id 7 comes twice"],
+        ),
+        (
+            "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x y radius\n7 0.25 0.5 0.02\n7 0.45 0.5 0.02\n",
+            &["line 7: id 7 comes twice"],
+        ),
+    ] {
+        // The first frame alone says nothing of it.
+        for wanted in [None, Some(0)] {
+            let why = read_frame(file.as_bytes(), wanted).unwrap_err();
+            for part in parts {
+                assert!(why.contains(part), "{part:?} is not in {why}");
+            }
+        }
+    }
+    // The same ids in the next frame are no others, and a single disc may have many frames.
+    let file = "frame,id,x,y,r\n0,7,0.25,0.5,0.02\n1,7,0.25,0.4,0.02\n2,7,0.25,0.3,0.02\n";
+    assert_eq!(read_frame(file.as_bytes(), Some(1)).unwrap().rows[0].position.y, 0.4);
+    assert_eq!(Frames::of(file.as_bytes()).count(), 3);
+}
+
+#[test]
+fn a_column_that_is_passed_over_is_said() {
+    for (file, part) in [
+        ("0.01 0.02 0.001 0.1\n0.01 0.02 0.001 0.1\n", "`x y r -` (column 4 is passed over)"),
+        ("0.01 0.02 0.001 0.1\n0.03 0.02 0.001 0.1\n", "`x y r -` (column 4 is passed over)"),
+        ("0.25 0.5 0.02 0 0 1e9 8\n0.45 0.5 0.02 0 0 7 8\n", "(columns 6 to 7 are passed over)"),
+    ] {
+        let (_, told) = read(file, None).unwrap();
+        assert!(told.remarks.len() == 1 && told.remarks[0].contains(part), "{:?}", told.remarks);
     }
 }

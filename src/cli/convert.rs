@@ -204,7 +204,8 @@ fn write(
 ) -> io::Result<Option<Refusal>> {
     let progress = (!arguments.quiet).then(|| Progress::begin(None));
     let mut read = 0;
-    for (index, frame) in frames.by_ref().enumerate() {
+    for index in 0.. {
+        let Some(frame) = frames.next() else { break };
         let frame: Frame = match frame {
             Ok(frame) => frame,
             Err(why) => return Ok(Some(arguments.refused(&why, index))),
@@ -225,6 +226,9 @@ fn write(
             writer.add(out, &frame)?;
         }
         if index >= arguments.last() {
+            if let Err(why) = frames.check_order_after(&frame) {
+                return Ok(Some(arguments.refused(&why, 0)));
+            }
             break;
         }
     }

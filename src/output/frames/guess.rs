@@ -113,7 +113,7 @@ pub fn guess(sample: &Sample) -> Result<Guess, String> {
     match &possible[..] {
         [] => taken(usual, n, (n > 3).then_some("as no heading names them")),
         [one] if *one == usual => {
-            let is_doubtful = n > 5 || n == 3 && counts && rows >= 3;
+            let is_doubtful = n == 4 || n > 5 || n == 3 && counts && rows >= 3;
             taken(usual, n, is_doubtful.then_some("as no heading names them"))
         }
         [one] => taken(one.clone(), n, Some("by their values, as no heading names them")),
@@ -145,7 +145,12 @@ fn taken(reading: Vec<Column>, n: usize, why: Option<&str>) -> Result<Guess, Str
         } else {
             "; --columns says it otherwise".to_owned()
         };
-        format!("its columns are read as `{}`, {why}{flag}", layout.names())
+        let passed_over = match n - reading.len() {
+            0 => String::new(),
+            1 => format!(" (column {n} is passed over)"),
+            _ => format!(" (columns {} to {n} are passed over)", reading.len() + 1),
+        };
+        format!("its columns are read as `{}`{passed_over}, {why}{flag}", layout.names())
     });
     Ok(Guess { layout, remark })
 }

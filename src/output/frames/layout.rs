@@ -88,6 +88,12 @@ impl Layout {
         self.columns.contains(&column)
     }
 
+    /// The same, but that `column` is passed over.
+    pub fn without(&self, column: Column) -> Self {
+        let kept = |one: &Column| if *one == column { Column::Other } else { *one };
+        Self { columns: self.columns.iter().map(kept).collect(), ..self.clone() }
+    }
+
     /// The names with blanks between them, as in a heading.
     pub fn names(&self) -> String {
         self.columns.iter().map(|column| column.name()).collect::<Vec<_>>().join(" ")

@@ -102,6 +102,23 @@ impl<R: BufRead> Frames<R> {
         Told { remarks: self.remarks().to_vec(), names_columns }
     }
 
+    /// Reads on after a frame of one disc, to see that the table is not sorted by disc: then all of its frames
+    /// seem to be such. Other faults further down are none of the frame's.
+    pub(crate) fn check_order_after(&mut self, frame: &Frame) -> Result<(), String> {
+        if frame.rows.len() != 1 || !matches!(self.source, Source::Table(_)) {
+            return Ok(());
+        }
+        loop {
+            match self.next_frame() {
+                Ok(Some(_)) => {}
+                Err(why) if matches!(&self.source, Source::Table(table) if table.goes_back()) => {
+                    return Err(why);
+                }
+                Ok(None) | Err(_) => return Ok(()),
+            }
+        }
+    }
+
     /// How many frames have been read.
     pub(super) fn read(&self) -> usize {
         self.read

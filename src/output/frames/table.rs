@@ -6,6 +6,7 @@ use super::Frame;
 use super::column::Column;
 use super::comment::Comment;
 use super::guess::{self, BOOK, Guess};
+use super::ids::Ids;
 use super::layout::{Layout, Row};
 use super::lines::{Line, Lines};
 use super::remarks::Remarks;
@@ -38,6 +39,12 @@ pub struct Table {
     /// Whether the frame has a head.
     has_head: bool,
     finished: usize,
+    /// The ids of the frame that has just begun.
+    ids: Ids,
+    /// The last row that was taken.
+    last: Option<Row>,
+    /// Whether rows of an earlier frame come after those of a later one.
+    goes_back: bool,
     /// Whether less than two blank lines stand between any frames.
     is_narrow: bool,
 }
@@ -140,12 +147,55 @@ impl Table {
             return Ok(Step::Unnamed);
         }
         let row = self.row(line)?;
+        self.check_order(&row).map_err(|why| line.at(why))?;
         if self.is_of_next(&row) {
             self.is_narrow = true;
             return Ok(Step::OfNextFrame);
         }
+        self.check_id(&row).map_err(|why| line.at(why))?;
         self.push(row, remarks);
         Ok(Step::Taken)
+    }
+
+    /// The column that counts the frames must not go back: rows sorted by disc would be frames of one disc each.
+    fn check_order(&mut self, row: &Row) -> Result<(), String> {
+        let counted = |row: &Row| {
+            let columns = [("frame", row.frame), ("step", row.step), ("time_s", row.time)];
+            columns.into_iter().find_map(|(name, value)| Some((name, value?)))
+        };
+        let before = self.last.as_ref().and_then(counted);
+        match (before, counted(row)) {
+            (Some((_, before)), Some((name, now))) if now < before => {
+                self.goes_back = true;
+                Err(format!(
+                    "{name} {now} comes after {name} {before}\n  way out: sort the rows by {name}"
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether rows of an earlier frame have come after those of a later one.
+    pub fn goes_back(&self) -> bool {
+        self.goes_back
+    }
+
+    /// No two discs of a frame have one id.
+    fn check_id(&mut self, row: &Row) -> Result<(), String> {
+        let Some(id) = row.disc.id.filter(|id| !self.ids.add(*id)) else { return Ok(()) };
+        let names_frames = row.frame.or(row.step).or(row.time).is_some();
+        let layout = self.layout.as_ref().map(|layout| layout.without(Column::Id));
+        let columns = layout.map(|layout| layout.to_string()).unwrap_or_default();
+        let (why, way_out) = match names_frames {
+            true => ("", "give each disc a number of its own"),
+            false => (
+                "; probably these are several frames, without a column that tells them apart",
+                "a column frame, step or time_s",
+            ),
+        };
+        Err(format!(
+            "id {id} comes twice in one frame{why}\n  way out: {way_out}; or, if it is no id, --columns {columns}"
+        ))
     }
 
     fn separator_of(&mut self, line: &Line) -> Separator {
@@ -287,12 +337,14 @@ impl Table {
         if row.kind != 0.0 {
             remarks.add("some of its particles stand or are driven (type not 0): here they move as all others");
         }
+        self.last = Some(row);
         self.begun.rows.push(row.disc);
     }
 
     fn finish(&mut self, remarks: &mut Remarks) -> Frame {
         self.finished += 1;
         self.first = None;
+        self.ids = Ids::default();
         self.has_head = false;
         let mut frame = std::mem::take(&mut self.begun);
         if let [Some(width), Some(height)] = self.sides {

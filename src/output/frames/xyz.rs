@@ -59,7 +59,7 @@ impl Xyz {
                 discs
             }
         };
-        let mut frame = frame_of_rows(&discs, remarks);
+        let mut frame = frame_of_rows(&discs, lines.number(), remarks)?;
         frame.time = value(&pairs, "time").and_then(|time| time.parse().ok());
         frame.step =
             ["step", "timestep"].into_iter().find_map(|key| value(&pairs, key)?.parse().ok());

@@ -70,7 +70,7 @@ impl Dump {
     ) -> Result<Frame, String> {
         let n = head.n.ok_or("there is no `ITEM: NUMBER OF ATOMS` before its atoms")?;
         let rows = each_row(lines, n, |row| layout.row(row.split_whitespace(), Separator::BLANK))?;
-        let mut frame = frame_of_rows(&rows, remarks);
+        let mut frame = frame_of_rows(&rows, lines.number(), remarks)?;
         if is_scaled(names) && self.by_hand.is_none() {
             let [Some(x), Some(y)] = head.bounds else {
                 return Err("xs and ys are fractions of a box, and there is none".to_owned());
