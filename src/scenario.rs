@@ -168,6 +168,8 @@ pub enum DiscSource {
         has_velocities: bool,
         /// Whether the file has a column for masses.
         has_masses: bool,
+        /// Whether the file has a column for radii.
+        has_radii: bool,
         /// Whether its columns are named, by the file or by hand.
         are_named: bool,
         /// What is to be said of how the file was read.

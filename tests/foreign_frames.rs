@@ -11,7 +11,7 @@ use crate::support::runs::{outcome, text};
 
 fn read(text: &str, columns: Option<&str>) -> Result<(Frame, Told), String> {
     let columns = columns.map(|columns| columns.parse().unwrap());
-    read_frame_as(text.as_bytes(), &Reading { columns, format: None }, None)
+    read_frame_as(text.as_bytes(), &Reading { columns, ..Reading::default() }, None)
 }
 
 /// x, y, r, velocity and mass of each disc, 0 for what is not there; and whether they are.
@@ -163,7 +163,10 @@ fn columns_said_by_hand_are_taken_whatever_the_file_says() {
 fn what_cannot_be_read_says_what_is_missing_and_what_to_do() {
     let atoms = "# of LAMMPS\n\n1 atoms\n\nAtoms";
     for (file, parts) in [
-        ("# x y z vx vy vz\n1 2 0 1 2 0\n", &["is a radius", "--columns x,y,-,r"][..]),
+        (
+            "# x y z vx vy vz\n1 2 0 1 2 0\n",
+            &["is a radius", "--columns x,y,z,vx,vy,r if it is column 6"][..],
+        ),
         ("x,y,m\n1,2,3\n", &["is a radius", "`x,y,m`"]),
         ("# x[mm] y[mm] r[mm]\n1 2 0.5\n", &["SI units", "x[mm]"]),
         ("x y r vx\n1 2 0.5 1\n", &["vx and vy"]),
@@ -178,7 +181,7 @@ fn what_cannot_be_read_says_what_is_missing_and_what_to_do() {
         ("1\nno more\n", &["cut off: 0 of 1 discs"]),
         (
             "2\n\nAr 0 0 0\nAr 1 1 1\n",
-            &["which of its 4 columns is the radius", "--columns -,x,y,-,r"],
+            &["which of its 4 columns is the radius", "--radius 1e-3", "--columns -,x,y,r"],
         ),
         ("2\nProperties=species:S:1:pos:R:3\nA 0 0 0\nA 1 1 1\n", &["is a radius"]),
         ("1\nProperties=pos\n1 2\n", &["name:type:columns"]),
@@ -382,4 +385,35 @@ fn a_column_that_is_passed_over_is_said() {
         let (_, told) = read(file, None).unwrap();
         assert!(told.remarks.len() == 1 && told.remarks[0].contains(part), "{:?}", told.remarks);
     }
+}
+
+#[test]
+fn a_radius_said_by_hand_is_that_of_all_discs_of_a_file_that_says_none() {
+    for (file, columns) in [
+        ("x,y\n0.25,0.5\n0.45,0.5\n", None),
+        ("0.25 0.5\n0.45 0.5\n", None),
+        ("# step 0 n 2 columns x y\n0.25 0.5\n0.45 0.5\n", None),
+        ("2\n\nX 0.25 0.5 0\nX 0.45 0.5 0\n", None),
+        ("2\nProperties=species:S:1:pos:R:3\nX 0.25 0.5 0\nX 0.45 0.5 0\n", None),
+        ("0.25 0.5 9\n0.45 0.5 9\n", Some("x,y")),
+        (
+            "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x y\n1 0.25 0.5\n2 0.45 0.5\n",
+            None,
+        ),
+    ] {
+        let columns = columns.map(|columns| columns.parse().unwrap());
+        let said = Reading { columns, radius: Some(0.02), format: None };
+        let (frame, _) = read_frame_as(file.as_bytes(), &said, None).unwrap();
+        assert_eq!((discs(&frame), frame.has_radii()), (pair(None, None), false), "{file}");
+        let without = Reading { radius: None, ..said };
+        if without.columns.is_none() {
+            let why = read_frame_as(file.as_bytes(), &without, None).unwrap_err();
+            assert!(why.contains("--radius 1e-3") && !why.contains("x,y,-,r"), "{why}");
+        }
+    }
+    // What the file says is taken.
+    let said = Reading { radius: Some(9.0), ..Reading::default() };
+    let (frame, _) =
+        read_frame_as(&b"x,y,d\n0.25,0.5,0.04\n0.45,0.5,0.04\n"[..], &said, None).unwrap();
+    assert_eq!((discs(&frame), frame.has_radii()), (pair(None, None), true));
 }

@@ -243,3 +243,30 @@ fn columns_may_be_said_in_a_scenario_and_not_without_a_file() {
         assert!(output.status.code() == Some(2) && said.contains(part), "{arguments}: {said}");
     }
 }
+
+#[test]
+fn a_start_without_radii_takes_that_of_the_flag_and_says_so() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("h6.csv"), "x,y\n0.01,0.02\n0.03,0.02\n").unwrap();
+    fs::write(folder.path().join("xyr.csv"), "x,y,r\n0.01,0.02,1e-3\n").unwrap();
+    let start = "--start h6.csv --radius 1mm --time 1ms --seed 1";
+    let (first, said) = run(folder.path(), &format!("{start} --out-dir first"));
+    assert!(
+        said.contains("note: h6.csv holds no radii: each disc has 0.001 m (--radius)\n"),
+        "{said}"
+    );
+    let printed = outcome(folder.path(), &format!("{start} --print-config"));
+    fs::write(folder.path().join("printed.toml"), printed.stdout).unwrap();
+    let (second, _) = run(folder.path(), "printed.toml --out-dir second");
+    let (third, _) = run(folder.path(), "first/last-run.toml --out-dir third");
+    assert_eq!([&second["state_hash"], &third["state_hash"]], [&first["state_hash"]; 2]);
+    for (arguments, part) in [
+        ("--start h6.csv", "way out: --radius 1e-3 is that of all discs"),
+        ("--start h6.csv --radius=-1", "--radius 1mm"),
+        ("--start xyr.csv --radius 1e-3", "both say the radii"),
+    ] {
+        let output = outcome(folder.path(), arguments);
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains(part), "{arguments}: {said}");
+    }
+}

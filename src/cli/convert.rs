@@ -16,6 +16,7 @@ use crate::output::frames::layout::Layout;
 use crate::output::frames::writer::{Target, Writer};
 use crate::output::frames::{Frame, Frames, Reading};
 use crate::output::replace::replace;
+use crate::scenario::quantity::{Length, Quantity};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -53,6 +54,9 @@ pub(super) struct ConvertArguments {
     /// pass over [default: by its heading]
     #[arg(long, value_name = "x,y,-,r", allow_hyphen_values = true)]
     columns: Option<Layout>,
+    /// Radius of all discs of a file that says none (m; 1mm, 5e-4)
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    radius: Option<Quantity<Length>>,
     /// No progress, no remarks
     #[arg(short, long)]
     quiet: bool,
@@ -94,7 +98,8 @@ impl ConvertArguments {
             FromName::LammpsDump => Format::LammpsDump,
             FromName::LammpsData => Format::LammpsData,
         });
-        Reading { columns: self.columns.clone(), format }
+        let radius = self.radius.map(|radius| radius.si);
+        Reading { columns: self.columns.clone(), format, radius }
     }
 
     fn target(&self) -> Result<Target, Refusal> {
@@ -140,6 +145,15 @@ impl ConvertArguments {
 /// Converts IN to OUT, which appears whole or not at all.
 pub(super) fn convert(arguments: &ConvertArguments) -> Result<ExitCode, Failure> {
     let target = arguments.target()?;
+    if let Some(radius) =
+        arguments.radius.filter(|radius| !(radius.si > 0.0 && radius.si.is_finite()))
+    {
+        return Err(Refusal {
+            why: format!("--radius is {} m; it must be above 0", radius.si),
+            way_out: "--radius 1mm".to_owned(),
+        }
+        .into());
+    }
     let input = open(&arguments.input, &arguments.output)?;
     let mut frames =
         Frames::read_as(BufReader::with_capacity(1 << 16, input), &arguments.reading());
@@ -218,7 +232,12 @@ fn write(
             if let Err(why) = writer.fits(&frame) {
                 return Ok(Some(arguments.refused(&why, index)));
             }
-            for what in writer.missing(&frame) {
+            let radius = arguments.radius.map(|radius| radius.si);
+            let of_radius = radius.map(|radius| match frame.has_radii() {
+                true => "has radii: --radius is not used".to_owned(),
+                false => format!("holds no radii: each disc has {radius} m (--radius)"),
+            });
+            for what in of_radius.into_iter().chain(writer.missing(&frame)) {
                 if !told.contains(&what) {
                     told.push(what);
                 }

@@ -65,6 +65,8 @@ pub struct Frame {
     pub time: Option<f64>,
     /// Side of the box, m, if the header says it.
     pub side: Option<f64>,
+    /// Whether its radii are none of the file's.
+    lacks_radii: bool,
     /// Number of discs that the header says.
     declared: Option<usize>,
 }
@@ -73,6 +75,11 @@ impl Frame {
     /// Whether each disc has a velocity.
     pub fn has_velocities(&self) -> bool {
         !self.rows.is_empty() && self.rows.iter().all(|row| row.velocity.is_some())
+    }
+
+    /// Whether the file says the radii of the discs.
+    pub fn has_radii(&self) -> bool {
+        !self.lacks_radii
     }
 
     /// Whether each disc has a mass.
@@ -151,7 +158,8 @@ fn frame_of_rows(rows: &[Row], last: usize, remarks: &mut Remarks) -> Result<Fra
     if rows.windows(2).any(|two| two[0].z != two[1].z) {
         remarks.add("its discs have different z, which is left out: there are two dimensions here");
     }
-    Ok(Frame { rows: rows.iter().map(|row| row.disc).collect(), ..Frame::default() })
+    let lacks_radii = rows.iter().any(|row| !row.has_radius);
+    Ok(Frame { rows: rows.iter().map(|row| row.disc).collect(), lacks_radii, ..Frame::default() })
 }
 
 /// What is to be said of a box that is not square.

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::error::ScenarioError;
 use super::number::Num;
+use super::range::positive;
 use super::settings::Settings;
 use super::{DiscSource, Scenario};
 use crate::output::frames::{Frame, FrameRow, Reading, Told, read_frame_as};
@@ -26,7 +27,8 @@ pub fn file_and_frame(said: &str) -> (&str, Option<usize>) {
     }
 }
 
-/// Reads the discs of `--start FILE[:K]`. Radii come from the file; velocities and masses too where there
+/// Reads the discs of `--start FILE[:K]`. Radii come from the file, or are all that of
+/// `--radius`; velocities and masses too where there
 /// are columns for them, else masses from the scenario. Also the side (m) of the file's box, if it says
 /// one.
 pub(super) fn read(
@@ -40,10 +42,17 @@ pub(super) fn read(
         let hint = if path.contains(':') { "; in FILE:K, K is a whole number from 0" } else { "" };
         bad_start(format!("{why}{hint}"))
     })?;
-    let reading = Reading { columns: settings.columns.clone(), format: None };
+    let radius =
+        settings.radius.map(|_| positive("radius", scenario.radius, "--radius 1mm")).transpose()?;
+    let reading = Reading { columns: settings.columns.clone(), format: None, radius };
     let (frame, Told { remarks, names_columns }) =
         read_frame_as(BufReader::new(file), &reading, frame).map_err(bad_start)?;
     let (has_velocities, has_masses) = (frame.has_velocities(), frame.has_masses());
+    let frame_has_radii = frame.has_radii();
+    if radius.is_some() && frame.has_radii() {
+        let why = "both say the radii".to_owned();
+        return Err(ScenarioError::Conflict { one: "start".into(), other: "radius".into(), why });
+    }
     // A record of a run says `speed = 0.0` where nothing was thrown.
     if settings.speed.is_some_and(|speed| speed.si != 0.0) && has_velocities {
         return Err(ScenarioError::Conflict {
@@ -56,6 +65,7 @@ pub(super) fn read(
     let notes = remarks.into_iter().map(|remark| format!("{path}: {remark}"));
     let notes = notes
         .chain(missing(path, &frame, scenario))
+        .chain(without_radii(path, &frame, scenario))
         .chain(unused(path, &frame, settings))
         .collect();
     let side = frame.side;
@@ -71,6 +81,7 @@ pub(super) fn read(
         discs: Arc::new(frame.rows.into_iter().map(disc).collect()),
         has_velocities,
         has_masses,
+        has_radii: frame_has_radii,
         are_named: names_columns,
         notes,
     };
@@ -97,6 +108,13 @@ fn unused(path: &str, frame: &Frame, settings: &Settings) -> Option<String> {
     let differs = frame.rows.iter().any(|row| row.mass != Some(mass));
     let mass = Num(mass);
     differs.then(|| format!("{path} has the mass of each disc: mass = {mass} kg is not used"))
+}
+
+/// That all discs have the radius of the scenario.
+fn without_radii(path: &str, frame: &Frame, scenario: &Scenario) -> Option<String> {
+    let radius = Num(scenario.radius);
+    (!frame.has_radii())
+        .then(|| format!("{path} holds no radii: each disc has {radius} m (--radius)"))
 }
 
 /// What the file does not hold, and what is taken for it.

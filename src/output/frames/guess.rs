@@ -86,9 +86,15 @@ fn overlap_too_much(discs: &[(DVec2, f64)]) -> bool {
 }
 
 /// What the columns of `sample` are. Fails with the possible readings if nothing can be taken.
-pub fn guess(sample: &Sample) -> Result<Guess, String> {
+///
+/// Two are x and y if all discs have this `radius`, m.
+pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
     let n = sample.columns;
     let usual = match n {
+        2 => {
+            let layout = Layout::of(vec![X, Y])?.with_radius(radius, "two columns, no heading")?;
+            return Ok(Guess { layout, remark: None });
+        }
         0..3 => return Err(format!("{n} columns; a disc is `x y r` or `x y r vx vy`")),
         3 | 4 => vec![X, Y, Radius],
         _ => vec![X, Y, Radius, Vx, Vy],

@@ -21,6 +21,8 @@ use self::sample::Block;
 pub struct Table {
     /// The columns said by hand.
     by_hand: Option<Layout>,
+    /// The radius of all discs, m, where no column says it.
+    radius: Option<f64>,
     /// The columns in force, and what parts them.
     layout: Option<Layout>,
     separator: Option<Separator>,
@@ -63,9 +65,9 @@ enum Step {
 }
 
 impl Table {
-    /// A table with these columns, if they are said by hand.
-    pub fn new(by_hand: Option<Layout>) -> Self {
-        Self { layout: by_hand.clone(), by_hand, ..Self::default() }
+    /// A table with these columns, if they are said by hand; its discs have this `radius` (m) where no column says it.
+    pub fn new(by_hand: Option<Layout>, radius: Option<f64>) -> Self {
+        Self { layout: by_hand.clone(), by_hand, radius, ..Self::default() }
     }
 
     /// Whether the columns are named, by the file or by hand.
@@ -219,7 +221,7 @@ impl Table {
         self.names = comment.names.or(self.names.take());
         match comment.columns {
             Some(columns) if self.by_hand.is_none() && columns != self.heading => {
-                self.layout = Some(named(&columns).map_err(|why| line.at(why))?);
+                self.layout = Some(named(&columns, self.radius).map_err(|why| line.at(why))?);
                 self.is_guessed = false;
                 self.heading = columns;
                 self.separator = None;
@@ -253,7 +255,7 @@ impl Table {
         if !separator.words(&line.text).any(is_coordinate) {
             return Ok(false);
         }
-        self.layout = Some(named(&line.text).map_err(|why| line.at(why))?);
+        self.layout = Some(named(&line.text, self.radius).map_err(|why| line.at(why))?);
         self.heading = line.text.clone().into_owned();
         Ok(true)
     }
@@ -278,7 +280,7 @@ impl Table {
         let has =
             |column| words.iter().any(|word| Column::named(word).map_or(true, |one| one == column));
         if words.len() == n && has(Column::X) && has(Column::Y) {
-            self.layout = Some(named(&names)?);
+            self.layout = Some(named(&names, self.radius)?);
         }
         Ok(())
     }
@@ -286,7 +288,7 @@ impl Table {
     /// Takes the rows of the first frame of a file without heading.
     fn take_block(&mut self, block: Block, remarks: &mut Remarks) -> Result<(), String> {
         let Guess { layout, remark } =
-            guess::guess(&block.sample()).map_err(|why| block.at(&why))?;
+            guess::guess(&block.sample(), self.radius).map_err(|why| block.at(&why))?;
         remark.into_iter().for_each(|remark| remarks.add(remark));
         block.remark.iter().for_each(|remark| remarks.add(remark));
         for numbers in block.rows() {
@@ -338,6 +340,7 @@ impl Table {
             remarks.add("some of its particles stand or are driven (type not 0): here they move as all others");
         }
         self.last = Some(row);
+        self.begun.lacks_radii |= !row.has_radius;
         self.begun.rows.push(row.disc);
     }
 
@@ -395,13 +398,19 @@ fn words_of(text: &str) -> Vec<String> {
     words
 }
 
-/// The columns that a heading names.
-fn named(text: &str) -> Result<Layout, String> {
+/// The columns that a heading names; all discs have this `radius` (m) where none of them says it.
+fn named(text: &str, radius: Option<f64>) -> Result<Layout, String> {
     let words = words_of(text);
-    Layout::named(words.iter().map(String::as_str)).map_err(|why| {
-        let heading = shortened(text);
+    let heading = format!("heading `{}`", shortened(text));
+    let layout = Layout::named(words.iter().map(String::as_str)).map_err(|why| {
+        let columns = match words.len() {
+            0..3 => "x,y with --radius 1e-3",
+            3 => "x,y,r",
+            _ => "x,y,-,r",
+        };
         format!(
-            "{why} (heading `{heading}`)\n  way out: --columns x,y,-,r says by hand which column is what"
+            "{why} ({heading})\n  way out: --columns {columns} says by hand which column is what"
         )
-    })
+    })?;
+    layout.with_radius(radius, &heading)
 }

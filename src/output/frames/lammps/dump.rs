@@ -16,6 +16,8 @@ use crate::output::number::push_g9;
 pub struct Dump {
     /// The columns said by hand.
     pub by_hand: Option<Layout>,
+    /// The radius of all discs, m, where no column says it.
+    pub radius: Option<f64>,
 }
 
 /// What the sections before the rows say.
@@ -52,7 +54,7 @@ impl Dump {
             if let Some(names) = item.strip_prefix("ATOMS") {
                 let layout = match &self.by_hand {
                     Some(layout) => layout.clone(),
-                    None => columns(names).map_err(|why| line.at(why))?,
+                    None => columns(names, self.radius).map_err(|why| line.at(why))?,
                 };
                 return self.rows(lines, &head, &layout, names, remarks).map(Some);
             }
@@ -135,16 +137,17 @@ fn is_scaled(names: &str) -> bool {
     names.split_whitespace().any(|name| name == "xs" || name == "xsu")
 }
 
-fn columns(names: &str) -> Result<Layout, String> {
+fn columns(names: &str, radius: Option<f64>) -> Result<Layout, String> {
     let column = |name: &str| match name {
         "xs" | "xsu" => Ok(Column::X),
         "ys" | "ysu" => Ok(Column::Y),
         _ => Column::named(name),
     };
     let columns = names.split_whitespace().map(column).collect::<Result<_, _>>()?;
-    Layout::of(columns).map_err(|why| {
+    let layout = Layout::of(columns).map_err(|why| {
         format!("{why} (ATOMS{names})\n  way out: dump custom ... id x y radius vx vy mass, or --columns")
-    })
+    })?;
+    layout.with_radius(radius, &format!("ATOMS{names}; dump custom ... x y radius writes one"))
 }
 
 /// Writes a frame, number `index` of its file, as a dump. What the frame does not say is left out, but for
