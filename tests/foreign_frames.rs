@@ -316,7 +316,7 @@ fn files_of_others_start_a_run_with_the_right_radius() {
 #[test]
 fn a_deep_overlap_in_a_file_without_heading_does_not_blame_the_discs() {
     let folder = TempDir::new().unwrap();
-    for (heading, part) in [("", "--columns"), ("# x y r\n", "harder discs")] {
+    for (heading, part) in [("", "--columns"), ("# x y r\n", "move the discs of the file apart")] {
         fs::write(
             folder.path().join("start.txt"),
             format!("{heading}0.02 0.02 0.01\n0.021 0.02 0.01\n"),
@@ -324,7 +324,7 @@ fn a_deep_overlap_in_a_file_without_heading_does_not_blame_the_discs() {
         .unwrap();
         let said = text(&outcome(folder.path(), "--start start.txt --time 0").stderr);
         assert!(said.contains("overlap by") && said.contains(part), "{said}");
-        assert_eq!(said.contains("harder"), part.contains("harder"), "{said}");
+        assert!(!said.contains("harder"), "{said}");
     }
 }
 

@@ -270,3 +270,60 @@ fn a_start_without_radii_takes_that_of_the_flag_and_says_so() {
         assert!(output.status.code() == Some(2) && said.contains(part), "{arguments}: {said}");
     }
 }
+
+#[test]
+fn what_is_offered_for_a_frame_that_cannot_start_works_when_typed() {
+    let folder = TempDir::new().unwrap();
+    for (file, more, parts, offer) in [
+        (
+            "# step 0 n 2 side_m 0.5 columns x y r\n0.25 0.4 0.001\n0.45 0.4 0.001\n",
+            "--side 4cm",
+            &["outside the box", "--side 0.5, as the frame itself says"][..],
+            Some("--side 0.5"),
+        ),
+        (
+            "# x y r\n10 20 0.5\n30 39 0.5\n",
+            "",
+            &["lengths are read in m, and these may be in mm", "--side 40 holds"],
+            Some("--side 40"),
+        ),
+        (
+            "# x y r\n0.01 0.02 0.001\n0.05 0.02 0.001\n",
+            "",
+            &["--side 0.051 holds the discs as they are"],
+            Some("--side 0.051"),
+        ),
+        (
+            "# x y r\n-0.01 0.02 0.001\n0.01 0.02 0.001\n",
+            "",
+            &["shift the positions", "--no-walls"],
+            Some("--no-walls"),
+        ),
+        (
+            "# x y r\n0.01 0.02 0.001\n0.01 0.02 0.001\n",
+            "",
+            &["have the same centre", "one row too many"],
+            None,
+        ),
+        (
+            "# x y r\n0.01 0.02 0.001\n0.03 0.02 0.001\n\n\n0.01 0.02 0.001\n0.0101 0.02 0.001\n",
+            "",
+            &["overlap by 1.9 radii", "the first frame of the file, --start bad.txt:0"],
+            Some("--start bad.txt:0"),
+        ),
+    ] {
+        fs::write(folder.path().join("bad.txt"), file).unwrap();
+        let arguments = |more: &str| format!("--start bad.txt {more} --time 0 --seed 1");
+        let output = outcome(folder.path(), &arguments(more));
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{file}: {said}");
+        for part in parts {
+            assert!(said.contains(part), "{part:?} is not in {said}");
+        }
+        assert!(!said.contains("harder"), "{said}");
+        if let Some(offer) = offer {
+            let start = if offer.starts_with("--start") { "" } else { "--start bad.txt " };
+            run(folder.path(), &format!("{start}{offer} --time 0 --seed 1 --out-dir next"));
+        }
+    }
+}

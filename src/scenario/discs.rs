@@ -43,6 +43,7 @@ impl Scenario {
                 has_velocities: settings.speed.is_none(),
                 has_masses: settings.mass.is_none(),
                 has_radii: settings.radius.is_none(),
+                side: None,
                 are_named: true,
                 notes: Vec::new(),
             }

@@ -10,6 +10,7 @@ use super::number::Num;
 use super::range::positive;
 use super::settings::Settings;
 use super::{DiscSource, Scenario};
+use crate::output::frames::layout::Layout;
 use crate::output::frames::{Frame, FrameRow, Reading, Told, read_frame_as};
 use crate::particle::Particle;
 
@@ -82,15 +83,31 @@ pub(super) fn read(
         has_velocities,
         has_masses,
         has_radii: frame_has_radii,
+        side,
         are_named: names_columns,
         notes,
     };
     Ok((source, side))
 }
 
+/// The discs of the first frame of `--start FILE[:K]`, if they can be read.
+pub(super) fn first_frame(
+    said: &str,
+    columns: Option<Layout>,
+    radius: Option<f64>,
+) -> Option<Vec<Particle>> {
+    let (path, _) = file_and_frame(said);
+    let reading = Reading { columns, radius, format: None };
+    let file = BufReader::new(File::open(path).ok()?);
+    let (frame, _) = read_frame_as(file, &reading, Some(0)).ok()?;
+    check(&frame).ok()?;
+    let disc = |row: &FrameRow| Particle::at_rest(row.position, row.radius, 1.0);
+    Some(frame.rows.iter().map(disc).collect())
+}
+
 /// Radii and masses must be above zero.
 fn check(frame: &Frame) -> Result<(), String> {
-    let hint = "\n  way out: if another column is meant, --columns x,y,-,r says which is what";
+    let hint = "\n  way out: if another column is meant, --columns says which is what, in their order, as r,x,y";
     for row in &frame.rows {
         if row.radius <= 0.0 {
             return Err(format!("a disc has radius {}; it must be above 0{hint}", row.radius));

@@ -92,7 +92,13 @@ pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
     let n = sample.columns;
     let usual = match n {
         2 => {
-            let layout = Layout::of(vec![X, Y])?.with_radius(radius, "two columns, no heading")?;
+            let Some(_) = radius else {
+                return Err(format!(
+                    "{n} columns; a disc is `x y r` or `x y r vx vy`\n  way out: --radius 1e-3 is that of all discs, \
+                     with --start and convert"
+                ));
+            };
+            let layout = Layout::of(vec![X, Y])?.with_radius(radius, "two columns")?;
             return Ok(Guess { layout, remark: None });
         }
         0..3 => return Err(format!("{n} columns; a disc is `x y r` or `x y r vx vy`")),
