@@ -67,6 +67,12 @@ fn each_column_is_what_its_heading_says() {
             ",frame,time_s,x,y,r\n0,0,0.0,9,9,9\n1,1,0.1,0.25,0.5,0.02\n2,1,0.1,0.45,0.5,0.02\n",
             &bare,
         ),
+        // As pandas writes a table with its index, by tabs.
+        ("\tx\ty\tr\n0\t0.25\t0.5\t0.02\n1\t0.45\t0.5\t0.02\n", &bare),
+        (
+            "\"Position.X\" \"Position.Y\" \"Radius\" \"Particle Identifier\"\n0.25 0.5 0.02 1\n0.45 0.5 0.02 2\n",
+            &bare,
+        ),
         ("2\nx y r\n0.25 0.5 0.02\n0.45 0.5 0.02\n", &bare),
         (
             "2\nProperties=species:S:1:pos:R:3:radius:R:1:velo:R:3:mass:R:1\nX 0.25 0.5 0 0.02 0.1 0 0 1e-3\nX 0.45 0.5 0 0.02 -0.1 0 0 1e-3\n",
@@ -175,6 +181,7 @@ fn what_cannot_be_read_says_what_is_missing_and_what_to_do() {
             "# step 0 n 1 columns x y r vx vy m\n1 2 3 4 5\n",
             &["line 2", "fewer columns", "`x y r vx vy m`"],
         ),
+        ("x,y,r,vx,vy\n1,2,3,,5\n", &["line 2: column 4, vx, is empty"]),
         ("x,y,r\n1,2,three\n", &["line 2", "`three` is not a number"]),
         ("x,y,r,id\n1,2,3,1.5\n", &["line 2", "an id is a whole number"]),
         ("1.000,5 2 3\n", &["decimals have a point"]),
@@ -416,4 +423,31 @@ fn a_radius_said_by_hand_is_that_of_all_discs_of_a_file_that_says_none() {
     let (frame, _) =
         read_frame_as(&b"x,y,d\n0.25,0.5,0.04\n0.45,0.5,0.04\n"[..], &said, None).unwrap();
     assert_eq!((discs(&frame), frame.has_radii()), (pair(None, None), true));
+}
+
+#[test]
+fn of_a_periodic_box_it_is_said_that_a_run_has_walls() {
+    let rows = "ITEM: ATOMS id x y radius\n1 0.25 0.5 0.02\n";
+    let dump = |kinds: &str| {
+        format!(
+            "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS {kinds}\n0 1\n0 1\n-1 1\n{rows}"
+        )
+    };
+    let xyz =
+        |pbc: &str| format!("1\nProperties=pos:R:2:radius:R:1 pbc=\"{pbc}\"\n0.25 0.5 0.02\n");
+    for (file, is_said) in [
+        (dump("pp pp pp"), true),
+        (dump("ff pp pp"), true),
+        (dump("ff ff pp"), false),
+        (xyz("T T F"), true),
+        (xyz("F F T"), false),
+    ] {
+        let (_, told) = read(&file, None).unwrap();
+        let remarks = told.remarks.concat();
+        assert_eq!(
+            remarks.contains("periodic") && remarks.contains("--no-walls"),
+            is_said,
+            "{file}"
+        );
+    }
 }

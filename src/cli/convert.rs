@@ -9,6 +9,7 @@ use clap::{Args, ValueEnum};
 
 use super::Failure;
 use super::claim::shown;
+use super::file_kind::FileKind;
 use super::plot::Progress;
 use super::refusal::Refusal;
 use crate::output::frames::format::Format;
@@ -117,6 +118,15 @@ impl ConvertArguments {
     }
 
     fn refused(&self, why: &str, whole: usize) -> Refusal {
+        // Of others the reader says more.
+        let is_ours = |kind: &FileKind| {
+            use FileKind::{Checkpoint, DriftCurves, DriftStudy, Ledger, Rubric, Scenario};
+            matches!(kind, Checkpoint | DriftCurves | DriftStudy | Ledger | Rubric | Scenario)
+        };
+        let kind = FileKind::of(&self.input).filter(|kind| whole == 0 && is_ours(kind));
+        if let Some(kind) = kind {
+            return kind.in_place_of("a file of frames", &self.input);
+        }
         let why = format!("cannot convert {}: {why}", shown(&self.input));
         match why.split_once("\n  way out: ") {
             Some((why, way_out)) => Refusal { why: why.to_owned(), way_out: way_out.to_owned() },

@@ -162,6 +162,9 @@ fn frame_of_rows(rows: &[Row], last: usize, remarks: &mut Remarks) -> Result<Fra
     Ok(Frame { rows: rows.iter().map(|row| row.disc).collect(), lacks_radii, ..Frame::default() })
 }
 
+/// What is to be said of a periodic box.
+const IS_PERIODIC: &str = "its box is periodic: a run from it has walls (--no-walls for none)";
+
 /// What is to be said of a box that is not square.
 fn no_square(width: f64, height: f64) -> String {
     format!(

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FrameRow;
 use super::column::Column;
-use super::separator::Separator;
+use super::separator::{EMPTY, Separator};
 
 /// Which column is what, from the first on.
 ///
@@ -126,6 +126,12 @@ impl Layout {
         Self { columns: self.columns.iter().map(kept).collect(), ..self.clone() }
     }
 
+    /// The same columns behind one that is passed over.
+    pub fn after_index(&self) -> Self {
+        let columns = std::iter::once(Column::Other).chain(self.columns.iter().copied());
+        Self { columns: columns.collect(), ..self.clone() }
+    }
+
     /// The names with blanks between them, as in a heading.
     pub fn names(&self) -> String {
         self.columns.iter().map(|column| column.name()).collect::<Vec<_>>().join(" ")
@@ -170,7 +176,11 @@ impl Layout {
         for (column, cell) in self.columns.iter().zip(cells.by_ref()) {
             read += 1;
             if *column != Column::Other {
-                row.take(*column, number(cell)?, &mut velocity)?;
+                let value = number(cell).map_err(|why| match why == EMPTY {
+                    true => format!("column {read}, {}, is empty", column.name()),
+                    false => why,
+                })?;
+                row.take(*column, value, &mut velocity)?;
             }
         }
         let wanted = self.columns.len();

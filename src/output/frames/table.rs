@@ -30,6 +30,8 @@ pub struct Table {
     is_guessed: bool,
     /// Names in the heading of the present columns.
     heading: String,
+    /// Whether no row has followed the heading, a line of names, which may lack one for a leading index.
+    may_have_index: bool,
     /// A remark that may be a heading, until a row shows it.
     names: Option<String>,
     /// Remarks that only Poeschel and Schwager's programs write.
@@ -148,6 +150,7 @@ impl Table {
         if self.layout.is_none() {
             return Ok(Step::Unnamed);
         }
+        self.take_index(line, remarks);
         let row = self.row(line)?;
         self.check_order(&row).map_err(|why| line.at(why))?;
         if self.is_of_next(&row) {
@@ -198,6 +201,19 @@ impl Table {
         Err(format!(
             "id {id} comes twice in one frame{why}\n  way out: {way_out}; or, if it is no id, --columns {columns}"
         ))
+    }
+
+    /// Passes over a whole number that stands before the columns that the heading names: the index that pandas writes.
+    fn take_index(&mut self, line: &Line, remarks: &mut Remarks) {
+        if !std::mem::take(&mut self.may_have_index) {
+            return;
+        }
+        let words: Vec<&str> = self.separator_of(line).words(&line.text).collect();
+        let Some(layout) = &self.layout else { return };
+        if words.len() == layout.columns().len() + 1 && words[0].parse::<u64>().is_ok() {
+            self.layout = Some(layout.after_index());
+            remarks.add("its first column, which its heading does not name, is passed over");
+        }
     }
 
     fn separator_of(&mut self, line: &Line) -> Separator {
@@ -257,6 +273,7 @@ impl Table {
         }
         self.layout = Some(named(&line.text, self.radius).map_err(|why| line.at(why))?);
         self.heading = line.text.clone().into_owned();
+        self.may_have_index = true;
         Ok(true)
     }
 
@@ -390,7 +407,18 @@ impl Table {
 
 /// The words of a heading; a unit of its own belongs to the name before it.
 fn words_of(text: &str) -> Vec<String> {
-    let text = text.replace(" (", "(").replace(" [", "[");
+    // A blank inside quotes parts nothing, and in a name it is as good as a line below.
+    let in_quotes = |(k, part): (usize, &str)| match k % 2 {
+        1 => part.replace(' ', "_"),
+        _ => part.to_owned(),
+    };
+    let parts: Vec<String> = text.split('"').enumerate().map(in_quotes).collect();
+    let text = parts
+        .join("\"")
+        .replace(" (", "(")
+        .replace(" [", "[")
+        .replace("_(", "(")
+        .replace("_[", "[");
     let words: Vec<String> = match text.contains('\t') {
         true => text.split('\t').map(str::to_owned).collect(),
         false => Separator::of(&text).words(&text).map(str::to_owned).collect(),

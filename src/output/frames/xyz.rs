@@ -11,7 +11,7 @@ use super::layout::Layout;
 use super::lines::Lines;
 use super::remarks::Remarks;
 use super::separator::{Separator, shortened};
-use super::{Frame, frame_of_rows, no_square, push_values};
+use super::{Frame, IS_PERIODIC, frame_of_rows, no_square, push_values};
 use crate::output::number::push_g9;
 
 const BLANK: Separator = Separator::BLANK;
@@ -66,6 +66,10 @@ impl Xyz {
         frame.time = value(&pairs, "time").and_then(|time| time.parse().ok());
         frame.step =
             ["step", "timestep"].into_iter().find_map(|key| value(&pairs, key)?.parse().ok());
+        let pbc = value(&pairs, "pbc").unwrap_or_default();
+        if pbc.split_whitespace().take(2).any(|axis| axis.starts_with(['T', 't', '1'])) {
+            remarks.add(IS_PERIODIC);
+        }
         frame.side = side(&pairs, remarks);
         Ok(Some(frame))
     }

@@ -8,7 +8,7 @@ use crate::output::frames::lines::Lines;
 use crate::output::frames::remarks::Remarks;
 use crate::output::frames::separator::Separator;
 use crate::output::frames::xyz::each_row;
-use crate::output::frames::{Frame, frame_of_rows, push_values};
+use crate::output::frames::{Frame, IS_PERIODIC, frame_of_rows, push_values};
 use crate::output::number::push_g9;
 
 /// A dump while it is read.
@@ -98,6 +98,10 @@ impl Head {
         remarks: &mut Remarks,
     ) -> Result<(), String> {
         if let Some(kind) = item.strip_prefix("BOX BOUNDS") {
+            let kinds = kind.split_whitespace().filter(|word| !["xy", "xz", "yz"].contains(word));
+            if kinds.take(2).any(|kind| kind == "pp") {
+                remarks.add(IS_PERIODIC);
+            }
             let is_tilted = kind.contains("xy") || kind.contains("abc");
             for axis in 0..3 {
                 let Some(line) = lines.next()? else { break };
