@@ -306,6 +306,12 @@ fn what_is_offered_for_a_frame_that_cannot_start_works_when_typed() {
             None,
         ),
         (
+            "0.01 0.02 0.001 0.1\n0.01 0.02 0.001 0.1\n",
+            "",
+            &["have the same centre", "read as `x y r -` (column 4 is passed over)", "--columns"],
+            None,
+        ),
+        (
             "# x y r\n0.01 0.02 0.001\n0.03 0.02 0.001\n\n\n0.01 0.02 0.001\n0.0101 0.02 0.001\n",
             "",
             &["overlap by 1.9 radii", "the first frame of the file, --start bad.txt:0"],

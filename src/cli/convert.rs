@@ -141,6 +141,27 @@ impl ConvertArguments {
         }
     }
 
+    /// A radius is above zero.
+    fn check_radius(&self) -> Result<(), Refusal> {
+        let is_one = |radius: f64| radius > 0.0 && radius.is_finite();
+        match self.radius.map(|radius| radius.si) {
+            Some(radius) if !is_one(radius) => Err(Refusal {
+                why: format!("--radius is {radius} m; it must be above 0"),
+                way_out: "--radius 1mm".to_owned(),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// What became of `--radius` in `frame`.
+    fn of_radius(&self, frame: &Frame) -> Option<String> {
+        let radius = self.radius?.si;
+        Some(match frame.has_radii() {
+            true => "has radii: --radius is not used".to_owned(),
+            false => format!("holds no radii: each disc has {radius} m (--radius)"),
+        })
+    }
+
     /// Which frames are wanted.
     fn wants(&self, index: usize) -> bool {
         self.frame.is_none_or(|k| k == index) && self.until.is_none_or(|k| index <= k)
@@ -155,15 +176,7 @@ impl ConvertArguments {
 /// Converts IN to OUT, which appears whole or not at all.
 pub(super) fn convert(arguments: &ConvertArguments) -> Result<ExitCode, Failure> {
     let target = arguments.target()?;
-    if let Some(radius) =
-        arguments.radius.filter(|radius| !(radius.si > 0.0 && radius.si.is_finite()))
-    {
-        return Err(Refusal {
-            why: format!("--radius is {} m; it must be above 0", radius.si),
-            way_out: "--radius 1mm".to_owned(),
-        }
-        .into());
-    }
+    arguments.check_radius()?;
     let input = open(&arguments.input, &arguments.output)?;
     let mut frames =
         Frames::read_as(BufReader::with_capacity(1 << 16, input), &arguments.reading());
@@ -242,12 +255,7 @@ fn write(
             if let Err(why) = writer.fits(&frame) {
                 return Ok(Some(arguments.refused(&why, index)));
             }
-            let radius = arguments.radius.map(|radius| radius.si);
-            let of_radius = radius.map(|radius| match frame.has_radii() {
-                true => "has radii: --radius is not used".to_owned(),
-                false => format!("holds no radii: each disc has {radius} m (--radius)"),
-            });
-            for what in of_radius.into_iter().chain(writer.missing(&frame)) {
+            for what in arguments.of_radius(&frame).into_iter().chain(writer.missing(&frame)) {
                 if !told.contains(&what) {
                     told.push(what);
                 }

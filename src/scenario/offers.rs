@@ -8,14 +8,15 @@ use crate::particle::Particle;
 impl Scenario {
     /// Ways out of `overlap` of the `discs` of a frame.
     pub(super) fn offers_for_frame(&self, discs: &[Particle], overlap: &Overlap) -> String {
-        let DiscSource::Frame { are_named, .. } = &self.discs else { return String::new() };
+        let DiscSource::Frame { are_named, notes, .. } = &self.discs else { return String::new() };
         let mut offers = Vec::new();
         if !are_named {
-            offers.push(
+            let read_as = notes.iter().find(|note| note.contains("columns are read as"));
+            offers.push(read_as.cloned().unwrap_or_else(|| {
                 "no heading names the columns of the file: if they are not x, y, r in this order, --columns says which \
                  is what, as --columns r,x,y"
-                    .to_owned(),
-            );
+                    .to_owned()
+            }));
         }
         match overlap.other {
             None => self.offer_boxes(discs, &mut offers),

@@ -50,18 +50,7 @@ pub(super) fn read(
         read_frame_as(BufReader::new(file), &reading, frame).map_err(bad_start)?;
     let (has_velocities, has_masses) = (frame.has_velocities(), frame.has_masses());
     let frame_has_radii = frame.has_radii();
-    if radius.is_some() && frame.has_radii() {
-        let why = "both say the radii".to_owned();
-        return Err(ScenarioError::Conflict { one: "start".into(), other: "radius".into(), why });
-    }
-    // A record of a run says `speed = 0.0` where nothing was thrown.
-    if settings.speed.is_some_and(|speed| speed.si != 0.0) && has_velocities {
-        return Err(ScenarioError::Conflict {
-            one: "start".into(),
-            other: "speed".into(),
-            why: "the file has velocities".into(),
-        });
-    }
+    check_conflicts(&frame, settings)?;
     check(&frame).map_err(bad_start)?;
     let notes = remarks.into_iter().map(|remark| format!("{path}: {remark}"));
     let notes = notes
@@ -103,6 +92,21 @@ pub(super) fn first_frame(
     check(&frame).ok()?;
     let disc = |row: &FrameRow| Particle::at_rest(row.position, row.radius, 1.0);
     Some(frame.rows.iter().map(disc).collect())
+}
+
+/// What the file says is not to be said again.
+fn check_conflicts(frame: &Frame, settings: &Settings) -> Result<(), ScenarioError> {
+    let conflict = |other: &str, why: &str| {
+        Err(ScenarioError::Conflict { one: "start".into(), other: other.into(), why: why.into() })
+    };
+    if settings.radius.is_some() && frame.has_radii() {
+        return conflict("radius", "both say the radii");
+    }
+    // A record of a run says `speed = 0.0` where nothing was thrown.
+    if settings.speed.is_some_and(|speed| speed.si != 0.0) && frame.has_velocities() {
+        return conflict("speed", "the file has velocities");
+    }
+    Ok(())
 }
 
 /// Radii and masses must be above zero.

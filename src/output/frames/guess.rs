@@ -91,16 +91,7 @@ fn overlap_too_much(discs: &[(DVec2, f64)]) -> bool {
 pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
     let n = sample.columns;
     let usual = match n {
-        2 => {
-            let Some(_) = radius else {
-                return Err(format!(
-                    "{n} columns; a disc is `x y r` or `x y r vx vy`\n  way out: --radius 1e-3 is that of all discs, \
-                     with --start and convert"
-                ));
-            };
-            let layout = Layout::of(vec![X, Y])?.with_radius(radius, "two columns")?;
-            return Ok(Guess { layout, remark: None });
-        }
+        2 => return two(radius),
         0..3 => return Err(format!("{n} columns; a disc is `x y r` or `x y r vx vy`")),
         3 | 4 => vec![X, Y, Radius],
         _ => vec![X, Y, Radius, Vx, Vy],
@@ -121,7 +112,6 @@ pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
     if counts && rows >= 3 && possible.iter().any(|reading| reading[0] == Id) {
         possible.retain(|reading| reading[0] == Id);
     }
-    let is_usual_possible = possible.contains(&usual);
     match &possible[..] {
         [] => taken(usual, n, (n > 3).then_some("as no heading names them")),
         [one] if *one == usual => {
@@ -130,7 +120,7 @@ pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
         }
         [one] => taken(one.clone(), n, Some("by their values, as no heading names them")),
         // Written so by every version of this program, and by the guide's users.
-        [_, ..] if n == 5 && is_usual_possible => {
+        [_, ..] if n == 5 && possible.contains(&usual) => {
             let other =
                 whole(&possible.into_iter().find(|one| *one != usual).unwrap_or_default(), n);
             taken(
@@ -141,6 +131,19 @@ pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
         }
         [one, other, ..] => Err(undecided(&whole(one, n), &whole(other, n))),
     }
+}
+
+/// Two columns, x and y, of discs that all have this `radius`, m.
+fn two(radius: Option<f64>) -> Result<Guess, String> {
+    if radius.is_none() {
+        return Err(
+            "2 columns; a disc is `x y r` or `x y r vx vy`\n  way out: --radius 1e-3 is that of all discs, with \
+             --start and convert"
+                .to_owned(),
+        );
+    }
+    let layout = Layout::of(vec![X, Y])?.with_radius(radius, "two columns")?;
+    Ok(Guess { layout, remark: None })
 }
 
 /// All columns of a reading.
