@@ -272,6 +272,7 @@ fn a_start_without_radii_takes_that_of_the_flag_and_says_so() {
 }
 
 #[test]
+#[allow(clippy::too_many_lines)] // a table of cases
 fn what_is_offered_for_a_frame_that_cannot_start_works_when_typed() {
     let folder = TempDir::new().unwrap();
     for (file, more, parts, offer) in [
