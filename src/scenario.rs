@@ -19,6 +19,7 @@ mod malformed;
 pub mod memory;
 pub mod notes;
 mod number;
+mod offers;
 mod output_choices;
 mod overlap;
 mod place;
@@ -168,6 +169,10 @@ pub enum DiscSource {
         has_velocities: bool,
         /// Whether the file has a column for masses.
         has_masses: bool,
+        /// Whether the file has a column for radii.
+        has_radii: bool,
+        /// The side that the frame says, m.
+        side: Option<f64>,
         /// Whether its columns are named, by the file or by hand.
         are_named: bool,
         /// What is to be said of how the file was read.

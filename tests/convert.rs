@@ -224,3 +224,37 @@ fn what_cannot_be_converted_is_refused_and_leaves_nothing() {
     assert!(outcome(folder.path(), "convert mixed.txt out.xyz").status.success());
     assert!(outcome(folder.path(), "convert cut.txt out.csv --until 0").status.success());
 }
+
+#[test]
+fn what_is_no_whole_trajectory_is_refused_whichever_frame_is_wanted() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let sorted = "frame,id,x,y,r\n0,0,0.25,0.5,0.02\n1,0,0.25,0.4,0.02\n0,1,0.45,0.5,0.02\n1,1,0.45,0.4,0.02\n";
+    fs::write(folder.path().join("sorted.csv"), sorted).unwrap();
+    fs::write(folder.path().join("xy.csv"), "x,y\n0.01,0.02\n").unwrap();
+    fs::write(folder.path().join("energy.csv"), "step,time_s,kinetic_J\n0,0,1\n").unwrap();
+    for (arguments, parts) in [
+        ("sorted.csv out.xyz", ["line 4: frame 0 comes after frame 1", "sort the rows by frame"]),
+        ("sorted.csv out.xyz --frame 0", ["frame 0 comes after frame 1", "sort the rows by frame"]),
+        ("sorted.csv out.xyz --until 0", ["frame 0 comes after frame 1", "sort the rows by frame"]),
+        ("xy.csv out.xyz", ["`x y` is a radius", "--radius 1e-3"]),
+        ("xy.csv out.xyz --radius 0", ["above 0", "--radius 1mm"]),
+        (
+            "energy.csv out.xyz",
+            ["is an energy ledger, not a file of frames", "plot energy energy.csv"],
+        ),
+    ] {
+        let output = outcome(folder.path(), &format!("convert {arguments}"));
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {said}");
+        for part in parts {
+            assert!(said.contains(part), "{arguments}: {part:?} is not in {said}");
+        }
+        assert!(!folder.path().join("out.xyz").exists());
+    }
+    let output = outcome(folder.path(), "convert xy.csv out.xyz --radius 1mm");
+    let said = text(&output.stderr);
+    assert!(
+        output.status.success() && said.contains("holds no radii: each disc has 0.001 m"),
+        "{said}"
+    );
+}

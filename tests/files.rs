@@ -188,7 +188,12 @@ fn frames_that_cannot_be_read_say_where_and_why() {
     for (text, frame, expected) in [
         ("", None, "it holds no frame"),
         ("# only a header\n", None, "it holds no frame"),
-        ("1 2\n", None, "line 1: 2 columns; a disc is `x y r` or `x y r vx vy`"),
+        (
+            "1 2\n",
+            None,
+            "line 1: 2 columns; a disc is `x y r` or `x y r vx vy`\n  way out: --radius 1e-3 is that of all discs, \
+             with --start and convert",
+        ),
         ("1 2 3\n1 two 3\n", None, "line 2: `two` is not a number"),
         ("1 2 nan\n", None, "line 1: `nan` is not finite"),
         ("1 2 3\n1 2 3 4 5\n", None, "line 2: fewer or more columns than the line before"),

@@ -243,3 +243,94 @@ fn columns_may_be_said_in_a_scenario_and_not_without_a_file() {
         assert!(output.status.code() == Some(2) && said.contains(part), "{arguments}: {said}");
     }
 }
+
+#[test]
+fn a_start_without_radii_takes_that_of_the_flag_and_says_so() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("h6.csv"), "x,y\n0.01,0.02\n0.03,0.02\n").unwrap();
+    fs::write(folder.path().join("xyr.csv"), "x,y,r\n0.01,0.02,1e-3\n").unwrap();
+    let start = "--start h6.csv --radius 1mm --time 1ms --seed 1";
+    let (first, said) = run(folder.path(), &format!("{start} --out-dir first"));
+    assert!(
+        said.contains("note: h6.csv holds no radii: each disc has 0.001 m (--radius)\n"),
+        "{said}"
+    );
+    let printed = outcome(folder.path(), &format!("{start} --print-config"));
+    fs::write(folder.path().join("printed.toml"), printed.stdout).unwrap();
+    let (second, _) = run(folder.path(), "printed.toml --out-dir second");
+    let (third, _) = run(folder.path(), "first/last-run.toml --out-dir third");
+    assert_eq!([&second["state_hash"], &third["state_hash"]], [&first["state_hash"]; 2]);
+    for (arguments, part) in [
+        ("--start h6.csv", "way out: --radius 1e-3 is that of all discs"),
+        ("--start h6.csv --radius=-1", "--radius 1mm"),
+        ("--start xyr.csv --radius 1e-3", "both say the radii"),
+    ] {
+        let output = outcome(folder.path(), arguments);
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains(part), "{arguments}: {said}");
+    }
+}
+
+#[test]
+#[allow(clippy::too_many_lines)] // a table of cases
+fn what_is_offered_for_a_frame_that_cannot_start_works_when_typed() {
+    let folder = TempDir::new().unwrap();
+    for (file, more, parts, offer) in [
+        (
+            "# step 0 n 2 side_m 0.5 columns x y r\n0.25 0.4 0.001\n0.45 0.4 0.001\n",
+            "--side 4cm",
+            &["outside the box", "--side 0.5, as the frame itself says"][..],
+            Some("--side 0.5"),
+        ),
+        (
+            "# x y r\n10 20 0.5\n30 39 0.5\n",
+            "",
+            &["lengths are read in m, and these may be in mm", "--side 40 holds"],
+            Some("--side 40"),
+        ),
+        (
+            "# x y r\n0.01 0.02 0.001\n0.05 0.02 0.001\n",
+            "",
+            &["--side 0.051 holds the discs as they are"],
+            Some("--side 0.051"),
+        ),
+        (
+            "# x y r\n-0.01 0.02 0.001\n0.01 0.02 0.001\n",
+            "",
+            &["shift the positions", "--no-walls"],
+            Some("--no-walls"),
+        ),
+        (
+            "# x y r\n0.01 0.02 0.001\n0.01 0.02 0.001\n",
+            "",
+            &["have the same centre", "one row too many"],
+            None,
+        ),
+        (
+            "0.01 0.02 0.001 0.1\n0.01 0.02 0.001 0.1\n",
+            "",
+            &["have the same centre", "read as `x y r -` (column 4 is passed over)", "--columns"],
+            None,
+        ),
+        (
+            "# x y r\n0.01 0.02 0.001\n0.03 0.02 0.001\n\n\n0.01 0.02 0.001\n0.0101 0.02 0.001\n",
+            "",
+            &["overlap by 1.9 radii", "the first frame of the file, --start bad.txt:0"],
+            Some("--start bad.txt:0"),
+        ),
+    ] {
+        fs::write(folder.path().join("bad.txt"), file).unwrap();
+        let arguments = |more: &str| format!("--start bad.txt {more} --time 0 --seed 1");
+        let output = outcome(folder.path(), &arguments(more));
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{file}: {said}");
+        for part in parts {
+            assert!(said.contains(part), "{part:?} is not in {said}");
+        }
+        assert!(!said.contains("harder"), "{said}");
+        if let Some(offer) = offer {
+            let start = if offer.starts_with("--start") { "" } else { "--start bad.txt " };
+            run(folder.path(), &format!("{start}{offer} --time 0 --seed 1 --out-dir next"));
+        }
+    }
+}

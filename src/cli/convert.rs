@@ -9,6 +9,7 @@ use clap::{Args, ValueEnum};
 
 use super::Failure;
 use super::claim::shown;
+use super::file_kind::FileKind;
 use super::plot::Progress;
 use super::refusal::Refusal;
 use crate::output::frames::format::Format;
@@ -16,6 +17,7 @@ use crate::output::frames::layout::Layout;
 use crate::output::frames::writer::{Target, Writer};
 use crate::output::frames::{Frame, Frames, Reading};
 use crate::output::replace::replace;
+use crate::scenario::quantity::{Length, Quantity};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -53,6 +55,9 @@ pub(super) struct ConvertArguments {
     /// pass over [default: by its heading]
     #[arg(long, value_name = "x,y,-,r", allow_hyphen_values = true)]
     columns: Option<Layout>,
+    /// Radius of all discs of a file that says none (m; 1mm, 5e-4)
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    radius: Option<Quantity<Length>>,
     /// No progress, no remarks
     #[arg(short, long)]
     quiet: bool,
@@ -94,7 +99,8 @@ impl ConvertArguments {
             FromName::LammpsDump => Format::LammpsDump,
             FromName::LammpsData => Format::LammpsData,
         });
-        Reading { columns: self.columns.clone(), format }
+        let radius = self.radius.map(|radius| radius.si);
+        Reading { columns: self.columns.clone(), format, radius }
     }
 
     fn target(&self) -> Result<Target, Refusal> {
@@ -112,6 +118,15 @@ impl ConvertArguments {
     }
 
     fn refused(&self, why: &str, whole: usize) -> Refusal {
+        // Of others the reader says more.
+        let is_ours = |kind: &FileKind| {
+            use FileKind::{Checkpoint, DriftCurves, DriftStudy, Ledger, Rubric, Scenario};
+            matches!(kind, Checkpoint | DriftCurves | DriftStudy | Ledger | Rubric | Scenario)
+        };
+        let kind = FileKind::of(&self.input).filter(|kind| whole == 0 && is_ours(kind));
+        if let Some(kind) = kind {
+            return kind.in_place_of("a file of frames", &self.input);
+        }
         let why = format!("cannot convert {}: {why}", shown(&self.input));
         match why.split_once("\n  way out: ") {
             Some((why, way_out)) => Refusal { why: why.to_owned(), way_out: way_out.to_owned() },
@@ -124,6 +139,27 @@ impl ConvertArguments {
                 },
             },
         }
+    }
+
+    /// A radius is above zero.
+    fn check_radius(&self) -> Result<(), Refusal> {
+        let is_one = |radius: f64| radius > 0.0 && radius.is_finite();
+        match self.radius.map(|radius| radius.si) {
+            Some(radius) if !is_one(radius) => Err(Refusal {
+                why: format!("--radius is {radius} m; it must be above 0"),
+                way_out: "--radius 1mm".to_owned(),
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// What became of `--radius` in `frame`.
+    fn of_radius(&self, frame: &Frame) -> Option<String> {
+        let radius = self.radius?.si;
+        Some(match frame.has_radii() {
+            true => "has radii: --radius is not used".to_owned(),
+            false => format!("holds no radii: each disc has {radius} m (--radius)"),
+        })
     }
 
     /// Which frames are wanted.
@@ -140,6 +176,7 @@ impl ConvertArguments {
 /// Converts IN to OUT, which appears whole or not at all.
 pub(super) fn convert(arguments: &ConvertArguments) -> Result<ExitCode, Failure> {
     let target = arguments.target()?;
+    arguments.check_radius()?;
     let input = open(&arguments.input, &arguments.output)?;
     let mut frames =
         Frames::read_as(BufReader::with_capacity(1 << 16, input), &arguments.reading());
@@ -204,7 +241,8 @@ fn write(
 ) -> io::Result<Option<Refusal>> {
     let progress = (!arguments.quiet).then(|| Progress::begin(None));
     let mut read = 0;
-    for (index, frame) in frames.by_ref().enumerate() {
+    for index in 0.. {
+        let Some(frame) = frames.next() else { break };
         let frame: Frame = match frame {
             Ok(frame) => frame,
             Err(why) => return Ok(Some(arguments.refused(&why, index))),
@@ -217,7 +255,7 @@ fn write(
             if let Err(why) = writer.fits(&frame) {
                 return Ok(Some(arguments.refused(&why, index)));
             }
-            for what in writer.missing(&frame) {
+            for what in arguments.of_radius(&frame).into_iter().chain(writer.missing(&frame)) {
                 if !told.contains(&what) {
                     told.push(what);
                 }
@@ -225,6 +263,9 @@ fn write(
             writer.add(out, &frame)?;
         }
         if index >= arguments.last() {
+            if let Err(why) = frames.check_order_after(&frame) {
+                return Ok(Some(arguments.refused(&why, 0)));
+            }
             break;
         }
     }

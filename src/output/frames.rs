@@ -14,6 +14,7 @@ mod comment;
 pub mod csv;
 pub mod format;
 pub mod guess;
+mod ids;
 pub mod lammps;
 pub mod layout;
 mod lines;
@@ -30,6 +31,7 @@ use std::io::BufRead;
 
 use glam::DVec2;
 
+use self::ids::Ids;
 use self::layout::Row;
 pub use self::reader::{Frames, Reading};
 use self::remarks::Remarks;
@@ -63,6 +65,8 @@ pub struct Frame {
     pub time: Option<f64>,
     /// Side of the box, m, if the header says it.
     pub side: Option<f64>,
+    /// Whether its radii are none of the file's.
+    lacks_radii: bool,
     /// Number of discs that the header says.
     declared: Option<usize>,
 }
@@ -71,6 +75,11 @@ impl Frame {
     /// Whether each disc has a velocity.
     pub fn has_velocities(&self) -> bool {
         !self.rows.is_empty() && self.rows.iter().all(|row| row.velocity.is_some())
+    }
+
+    /// Whether the file says the radii of the discs.
+    pub fn has_radii(&self) -> bool {
+        !self.lacks_radii
     }
 
     /// Whether each disc has a mass.
@@ -121,7 +130,9 @@ pub fn read_frame_as(
     let mut last = None;
     while let Some(frame) = frames.next_frame()? {
         if wanted == Some(frames.read() - 1) {
-            return Ok((frame.whole()?, frames.told()));
+            let told = frames.told();
+            frames.check_order_after(&frame)?;
+            return Ok((frame.whole()?, told));
         }
         last = Some(frame);
     }
@@ -135,12 +146,24 @@ pub fn read_frame_as(
 }
 
 /// The frame of these rows, which may differ in z.
-fn frame_of_rows(rows: &[Row], remarks: &mut Remarks) -> Frame {
+///
+/// `last` is the line of the last of them. Fails if two have one id.
+fn frame_of_rows(rows: &[Row], last: usize, remarks: &mut Remarks) -> Result<Frame, String> {
+    if let Some((k, id)) = Ids::repeated(rows.iter().map(|row| row.disc.id)) {
+        let line = (last + k + 1).saturating_sub(rows.len());
+        return Err(format!(
+            "line {line}: id {id} comes twice in one frame\n  way out: give each disc a number of its own"
+        ));
+    }
     if rows.windows(2).any(|two| two[0].z != two[1].z) {
         remarks.add("its discs have different z, which is left out: there are two dimensions here");
     }
-    Frame { rows: rows.iter().map(|row| row.disc).collect(), ..Frame::default() }
+    let lacks_radii = rows.iter().any(|row| !row.has_radius);
+    Ok(Frame { rows: rows.iter().map(|row| row.disc).collect(), lacks_radii, ..Frame::default() })
 }
+
+/// What is to be said of a periodic box.
+const IS_PERIODIC: &str = "its box is periodic: a run from it has walls (--no-walls for none)";
 
 /// What is to be said of a box that is not square.
 fn no_square(width: f64, height: f64) -> String {

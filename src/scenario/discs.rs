@@ -42,6 +42,8 @@ impl Scenario {
                 // A scenario says only what its file does not hold.
                 has_velocities: settings.speed.is_none(),
                 has_masses: settings.mass.is_none(),
+                has_radii: settings.radius.is_none(),
+                side: None,
                 are_named: true,
                 notes: Vec::new(),
             }

@@ -4,12 +4,11 @@ use super::error::ScenarioError;
 use super::settings::Settings;
 
 /// Groups of which at most one member may be said, and what each of them says.
-const GROUPS: [(&[&str], &str); 12] = [
+const GROUPS: [(&[&str], &str); 11] = [
     (&["eta", "gamma", "restitution"], "the damping"),
     (&["nt", "dt"], "the time step"),
     (&["walls", "no_walls"], "whether there are walls"),
     (&["start", "n"], "how many discs there are"),
-    (&["start", "radius"], "the radii"),
     (&["start", "placement"], "where the discs are"),
     (&["start", "[[disc]]"], "where the discs are"),
     (&["start", "[[population]]"], "where the discs are"),
@@ -42,7 +41,6 @@ fn is_said(settings: &Settings, name: &str) -> bool {
         "no_walls" => settings.no_walls.is_some(),
         "start" => settings.start.is_some(),
         "n" => settings.n.is_some(),
-        "radius" => settings.radius.is_some(),
         "placement" => settings.placement.is_some(),
         "speed" => settings.speed.is_some(),
         "only [[disc]]" => !settings.discs.is_empty() && settings.populations.is_empty(),

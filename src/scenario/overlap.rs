@@ -140,3 +140,11 @@ pub(super) struct Overlap {
     /// Relative speed that the spring gives the two, without damping.
     pub parting_speed: f64, // m/s
 }
+
+impl Overlap {
+    /// Whether no run may start with it: the contact force would throw the discs apart.
+    pub fn is_too_deep(&self) -> bool {
+        let is_wall = self.other.is_none();
+        self.centres_coincide || self.relative > 1.0 || is_wall && self.relative >= 1.0
+    }
+}

@@ -141,22 +141,15 @@ impl Scenario {
             _ => return None,
         };
         let way_out = match (&self.discs, other) {
-            (DiscSource::Frame { are_named: true, .. }, _) => {
-                "an earlier frame, --start FILE:K; harder discs (--preset guide-listing, or a \
-                 larger --kn) do not sink in so far"
-            }
-            (DiscSource::Frame { .. }, _) => {
-                "no heading names the columns of the file: if they are not x, y, r in this order, \
-                 --columns says which is what, as --columns x,y,-,r; else another frame, --start FILE:K"
-            }
-            (_, Some(_)) => "move the discs apart, or give them a smaller radius",
-            (_, None) => "put it inside, between 0 and the side, or use a larger --side",
+            (DiscSource::Frame { .. }, _) => self.offers_for_frame(discs, overlap),
+            (_, Some(_)) => "move the discs apart, or give them a smaller radius".to_owned(),
+            (_, None) => "put it inside, between 0 and the side, or use a larger --side".to_owned(),
         };
         let who = match other {
             Some(other) => format!("discs {disc} and {other}: position"),
             None => format!("disc {disc}: position"),
         };
-        Some(ScenarioError::BadOverlap { who, what, way_out: way_out.to_owned() })
+        Some(ScenarioError::BadOverlap { who, what, way_out })
     }
 
     /// A placement error with ways out, each tried before it is offered.

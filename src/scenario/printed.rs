@@ -57,7 +57,7 @@ impl Scenario {
 
     fn write_physics(&self, out: &mut String) -> fmt::Result {
         writeln!(out, "\nside = {:?} # m", self.side)?;
-        if !matches!(self.discs, DiscSource::Frame { .. }) {
+        if !matches!(self.discs, DiscSource::Frame { has_radii: true, .. }) {
             writeln!(out, "radius = {:?} # m", self.radius)?;
         }
         if !matches!(self.discs, DiscSource::Frame { has_masses: true, .. }) {

@@ -7,8 +7,10 @@ use std::sync::Arc;
 
 use super::error::ScenarioError;
 use super::number::Num;
+use super::range::positive;
 use super::settings::Settings;
 use super::{DiscSource, Scenario};
+use crate::output::frames::layout::Layout;
 use crate::output::frames::{Frame, FrameRow, Reading, Told, read_frame_as};
 use crate::particle::Particle;
 
@@ -26,7 +28,8 @@ pub fn file_and_frame(said: &str) -> (&str, Option<usize>) {
     }
 }
 
-/// Reads the discs of `--start FILE[:K]`. Radii come from the file; velocities and masses too where there
+/// Reads the discs of `--start FILE[:K]`. Radii come from the file, or are all that of
+/// `--radius`; velocities and masses too where there
 /// are columns for them, else masses from the scenario. Also the side (m) of the file's box, if it says
 /// one.
 pub(super) fn read(
@@ -40,22 +43,19 @@ pub(super) fn read(
         let hint = if path.contains(':') { "; in FILE:K, K is a whole number from 0" } else { "" };
         bad_start(format!("{why}{hint}"))
     })?;
-    let reading = Reading { columns: settings.columns.clone(), format: None };
+    let radius =
+        settings.radius.map(|_| positive("radius", scenario.radius, "--radius 1mm")).transpose()?;
+    let reading = Reading { columns: settings.columns.clone(), format: None, radius };
     let (frame, Told { remarks, names_columns }) =
         read_frame_as(BufReader::new(file), &reading, frame).map_err(bad_start)?;
     let (has_velocities, has_masses) = (frame.has_velocities(), frame.has_masses());
-    // A record of a run says `speed = 0.0` where nothing was thrown.
-    if settings.speed.is_some_and(|speed| speed.si != 0.0) && has_velocities {
-        return Err(ScenarioError::Conflict {
-            one: "start".into(),
-            other: "speed".into(),
-            why: "the file has velocities".into(),
-        });
-    }
+    let frame_has_radii = frame.has_radii();
+    check_conflicts(&frame, settings)?;
     check(&frame).map_err(bad_start)?;
     let notes = remarks.into_iter().map(|remark| format!("{path}: {remark}"));
     let notes = notes
         .chain(missing(path, &frame, scenario))
+        .chain(without_radii(path, &frame, scenario))
         .chain(unused(path, &frame, settings))
         .collect();
     let side = frame.side;
@@ -71,15 +71,47 @@ pub(super) fn read(
         discs: Arc::new(frame.rows.into_iter().map(disc).collect()),
         has_velocities,
         has_masses,
+        has_radii: frame_has_radii,
+        side,
         are_named: names_columns,
         notes,
     };
     Ok((source, side))
 }
 
+/// The discs of the first frame of `--start FILE[:K]`, if they can be read.
+pub(super) fn first_frame(
+    said: &str,
+    columns: Option<Layout>,
+    radius: Option<f64>,
+) -> Option<Vec<Particle>> {
+    let (path, _) = file_and_frame(said);
+    let reading = Reading { columns, radius, format: None };
+    let file = BufReader::new(File::open(path).ok()?);
+    let (frame, _) = read_frame_as(file, &reading, Some(0)).ok()?;
+    check(&frame).ok()?;
+    let disc = |row: &FrameRow| Particle::at_rest(row.position, row.radius, 1.0);
+    Some(frame.rows.iter().map(disc).collect())
+}
+
+/// What the file says is not to be said again.
+fn check_conflicts(frame: &Frame, settings: &Settings) -> Result<(), ScenarioError> {
+    let conflict = |other: &str, why: &str| {
+        Err(ScenarioError::Conflict { one: "start".into(), other: other.into(), why: why.into() })
+    };
+    if settings.radius.is_some() && frame.has_radii() {
+        return conflict("radius", "both say the radii");
+    }
+    // A record of a run says `speed = 0.0` where nothing was thrown.
+    if settings.speed.is_some_and(|speed| speed.si != 0.0) && frame.has_velocities() {
+        return conflict("speed", "the file has velocities");
+    }
+    Ok(())
+}
+
 /// Radii and masses must be above zero.
 fn check(frame: &Frame) -> Result<(), String> {
-    let hint = "\n  way out: if another column is meant, --columns x,y,-,r says which is what";
+    let hint = "\n  way out: if another column is meant, --columns says which is what, in their order, as r,x,y";
     for row in &frame.rows {
         if row.radius <= 0.0 {
             return Err(format!("a disc has radius {}; it must be above 0{hint}", row.radius));
@@ -97,6 +129,13 @@ fn unused(path: &str, frame: &Frame, settings: &Settings) -> Option<String> {
     let differs = frame.rows.iter().any(|row| row.mass != Some(mass));
     let mass = Num(mass);
     differs.then(|| format!("{path} has the mass of each disc: mass = {mass} kg is not used"))
+}
+
+/// That all discs have the radius of the scenario.
+fn without_radii(path: &str, frame: &Frame, scenario: &Scenario) -> Option<String> {
+    let radius = Num(scenario.radius);
+    (!frame.has_radii())
+        .then(|| format!("{path} holds no radii: each disc has {radius} m (--radius)"))
 }
 
 /// What the file does not hold, and what is taken for it.

@@ -96,7 +96,7 @@ impl FrameFile {
         let said = said.unwrap_or_default();
         Self {
             path: path.to_owned(),
-            reading: Reading { columns, format: None },
+            reading: Reading { columns, ..Reading::default() },
             told: RefCell::default(),
             is_plain: Cell::new(true),
             is_open: said.walls == Some(false) || said.no_walls == Some(true),

@@ -86,9 +86,12 @@ fn overlap_too_much(discs: &[(DVec2, f64)]) -> bool {
 }
 
 /// What the columns of `sample` are. Fails with the possible readings if nothing can be taken.
-pub fn guess(sample: &Sample) -> Result<Guess, String> {
+///
+/// Two are x and y if all discs have this `radius`, m.
+pub fn guess(sample: &Sample, radius: Option<f64>) -> Result<Guess, String> {
     let n = sample.columns;
     let usual = match n {
+        2 => return two(radius),
         0..3 => return Err(format!("{n} columns; a disc is `x y r` or `x y r vx vy`")),
         3 | 4 => vec![X, Y, Radius],
         _ => vec![X, Y, Radius, Vx, Vy],
@@ -109,16 +112,15 @@ pub fn guess(sample: &Sample) -> Result<Guess, String> {
     if counts && rows >= 3 && possible.iter().any(|reading| reading[0] == Id) {
         possible.retain(|reading| reading[0] == Id);
     }
-    let is_usual_possible = possible.contains(&usual);
     match &possible[..] {
         [] => taken(usual, n, (n > 3).then_some("as no heading names them")),
         [one] if *one == usual => {
-            let is_doubtful = n > 5 || n == 3 && counts && rows >= 3;
+            let is_doubtful = n == 4 || n > 5 || n == 3 && counts && rows >= 3;
             taken(usual, n, is_doubtful.then_some("as no heading names them"))
         }
         [one] => taken(one.clone(), n, Some("by their values, as no heading names them")),
         // Written so by every version of this program, and by the guide's users.
-        [_, ..] if n == 5 && is_usual_possible => {
+        [_, ..] if n == 5 && possible.contains(&usual) => {
             let other =
                 whole(&possible.into_iter().find(|one| *one != usual).unwrap_or_default(), n);
             taken(
@@ -129,6 +131,19 @@ pub fn guess(sample: &Sample) -> Result<Guess, String> {
         }
         [one, other, ..] => Err(undecided(&whole(one, n), &whole(other, n))),
     }
+}
+
+/// Two columns, x and y, of discs that all have this `radius`, m.
+fn two(radius: Option<f64>) -> Result<Guess, String> {
+    if radius.is_none() {
+        return Err(
+            "2 columns; a disc is `x y r` or `x y r vx vy`\n  way out: --radius 1e-3 is that of all discs, with \
+             --start and convert"
+                .to_owned(),
+        );
+    }
+    let layout = Layout::of(vec![X, Y])?.with_radius(radius, "two columns")?;
+    Ok(Guess { layout, remark: None })
 }
 
 /// All columns of a reading.
@@ -145,7 +160,12 @@ fn taken(reading: Vec<Column>, n: usize, why: Option<&str>) -> Result<Guess, Str
         } else {
             "; --columns says it otherwise".to_owned()
         };
-        format!("its columns are read as `{}`, {why}{flag}", layout.names())
+        let passed_over = match n - reading.len() {
+            0 => String::new(),
+            1 => format!(" (column {n} is passed over)"),
+            _ => format!(" (columns {} to {n} are passed over)", reading.len() + 1),
+        };
+        format!("its columns are read as `{}`{passed_over}, {why}{flag}", layout.names())
     });
     Ok(Guess { layout, remark })
 }

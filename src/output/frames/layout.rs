@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FrameRow;
 use super::column::Column;
-use super::separator::Separator;
+use super::separator::{EMPTY, Separator};
 
 /// Which column is what, from the first on.
 ///
@@ -16,14 +16,16 @@ use super::separator::Separator;
 /// use parsim2d::output::frames::layout::Layout;
 /// let layout: Layout = "x,y,-,r".parse().unwrap(); // as --columns takes it
 /// assert_eq!(layout.to_string(), "x,y,-,r");
-/// assert!("x,y".parse::<Layout>().is_err()); // where is the radius?
+/// assert!("x,r".parse::<Layout>().is_err()); // where is y?
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Layout {
     columns: Vec<Column>,
     /// Whether rows may have further columns.
     is_begin: bool,
+    /// The radius of all discs, m, where no column says it.
+    radius: Option<f64>,
 }
 
 /// What a row says.
@@ -41,18 +43,21 @@ pub struct Row {
     pub step: Option<f64>,
     /// Simulated time, s.
     pub time: Option<f64>,
+    /// Whether its radius is said by a column.
+    pub has_radius: bool,
     /// Side of the box, m.
     pub side: Option<f64>,
 }
 
 impl Layout {
-    /// These columns. Fails if a disc needs one more, or two are the same.
+    /// These columns. Fails if a disc needs one more, or two are the same; a radius may be
+    /// said by [`with_radius`](Self::with_radius).
     pub fn of(mut columns: Vec<Column>) -> Result<Self, String> {
         if columns.contains(&Column::Radius) {
             let diameters = columns.iter_mut().filter(|column| **column == Column::Diameter);
             diameters.for_each(|column| *column = Column::Other); // says the same
         }
-        let layout = Self { columns, is_begin: false };
+        let layout = Self { columns, is_begin: false, radius: None };
         let (names, has) = (layout.names(), |column| layout.has(column));
         let twice =
             layout.columns.iter().enumerate().find(|(k, column)| {
@@ -63,9 +68,6 @@ impl Layout {
         }
         if !has(Column::X) || !has(Column::Y) {
             return Err(format!("none of its columns `{names}` is x, or none is y"));
-        }
-        if !has(Column::Radius) && !has(Column::Diameter) {
-            return Err(format!("none of its columns `{names}` is a radius, r"));
         }
         if has(Column::Vx) != has(Column::Vy) {
             return Err(format!("its columns `{names}` have one of vx and vy, not both"));
@@ -78,6 +80,36 @@ impl Layout {
         Self::of(names.map(Column::named).collect::<Result<_, _>>()?)
     }
 
+    /// The same; all discs have this `radius` (m) if no column says theirs.
+    ///
+    /// Fails if nothing says it. `heading` is what names the columns, to say so.
+    pub fn with_radius(self, radius: Option<f64>, heading: &str) -> Result<Self, String> {
+        if self.has_radius() {
+            return Ok(self);
+        }
+        if radius.is_some() {
+            return Ok(Self { radius, ..self });
+        }
+        let free = |column: &Column| matches!(column, Column::Other | Column::Z);
+        let last = self.columns.iter().rposition(free);
+        let by_hand = last.map(|last| {
+            let mut columns = self.clone();
+            columns.columns[last] = Column::Radius;
+            format!(", or --columns {columns} if it is column {}", last + 1)
+        });
+        Err(format!(
+            "none of its columns `{}` is a radius, r ({heading})\n  way out: --radius 1e-3 is that of all discs, with \
+             --start and convert{}",
+            self.names(),
+            by_hand.unwrap_or_default()
+        ))
+    }
+
+    /// Whether a column says the radius.
+    pub fn has_radius(&self) -> bool {
+        self.has(Column::Radius) || self.has(Column::Diameter)
+    }
+
     /// The columns.
     pub fn columns(&self) -> &[Column] {
         &self.columns
@@ -86,6 +118,18 @@ impl Layout {
     /// Whether there is such a column.
     pub fn has(&self, column: Column) -> bool {
         self.columns.contains(&column)
+    }
+
+    /// The same, but that `column` is passed over.
+    pub fn without(&self, column: Column) -> Self {
+        let kept = |one: &Column| if *one == column { Column::Other } else { *one };
+        Self { columns: self.columns.iter().map(kept).collect(), ..self.clone() }
+    }
+
+    /// The same columns behind one that is passed over.
+    pub fn after_index(&self) -> Self {
+        let columns = std::iter::once(Column::Other).chain(self.columns.iter().copied());
+        Self { columns: columns.collect(), ..self.clone() }
     }
 
     /// The names with blanks between them, as in a heading.
@@ -125,13 +169,18 @@ impl Layout {
         mut cells: impl Iterator<Item = T>,
         number: impl Fn(T) -> Result<f64, String>,
     ) -> Result<Row, String> {
-        let mut row = Row::NOTHING;
+        let mut row = Row { has_radius: self.radius.is_none(), ..Row::NOTHING };
+        row.disc.radius = self.radius.unwrap_or_default();
         let mut read = 0;
         let mut velocity = DVec2::ZERO;
         for (column, cell) in self.columns.iter().zip(cells.by_ref()) {
             read += 1;
             if *column != Column::Other {
-                row.take(*column, number(cell)?, &mut velocity)?;
+                let value = number(cell).map_err(|why| match why == EMPTY {
+                    true => format!("column {read}, {}, is empty", column.name()),
+                    false => why,
+                })?;
+                row.take(*column, value, &mut velocity)?;
             }
         }
         let wanted = self.columns.len();
@@ -152,6 +201,7 @@ impl Row {
         frame: None,
         step: None,
         time: None,
+        has_radius: true,
         side: None,
     };
 

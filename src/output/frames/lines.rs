@@ -49,6 +49,11 @@ impl<R: BufRead> Lines<R> {
         self.is_put_back = true;
     }
 
+    /// Number of the line that was read last, from 1.
+    pub fn number(&self) -> usize {
+        self.number
+    }
+
     /// Whether lines end as programs of today expect it.
     pub fn are_usual(&self) -> bool {
         self.end == b'\n'

@@ -22,6 +22,8 @@ pub struct Reading {
     pub columns: Option<Layout>,
     /// The format, where it is not told by how the file begins.
     pub format: Option<Format>,
+    /// The radius of all discs, m, of a file that says none.
+    pub radius: Option<f64>,
 }
 
 /// The frames of a file one after the other, read as they are asked for: a file of any size
@@ -66,11 +68,16 @@ impl<R: BufRead> Frames<R> {
             (Some(format), _) | (None, Ok(format)) => (format, None),
             (None, Err(why)) => (Format::Table, Some(why)),
         };
-        let by_hand = said.columns.clone();
+        let radius = said.radius;
+        let by_hand = said.columns.clone().map(|columns| columns.with_radius(radius, "--columns"));
+        let (by_hand, failure) = match by_hand.transpose() {
+            Ok(by_hand) => (by_hand, failure),
+            Err(why) => (None, failure.or(Some(why))),
+        };
         let source = match format {
-            Format::Table => Source::Table(Box::new(Table::new(by_hand))),
-            Format::Xyz => Source::Xyz(Xyz::new(by_hand)),
-            Format::LammpsDump => Source::Dump(Dump { by_hand }),
+            Format::Table => Source::Table(Box::new(Table::new(by_hand, radius))),
+            Format::Xyz => Source::Xyz(Xyz::new(by_hand, radius)),
+            Format::LammpsDump => Source::Dump(Dump { by_hand, radius }),
             Format::LammpsData => Source::Data(Data::default()),
         };
         let lines = Lines::of(Cursor::new(start.clone()).chain(input), &start);
@@ -100,6 +107,23 @@ impl<R: BufRead> Frames<R> {
             Source::Dump(_) | Source::Data(_) => true,
         };
         Told { remarks: self.remarks().to_vec(), names_columns }
+    }
+
+    /// Reads on after a frame of one disc, to see that the table is not sorted by disc: then all of its frames
+    /// seem to be such. Other faults further down are none of the frame's.
+    pub(crate) fn check_order_after(&mut self, frame: &Frame) -> Result<(), String> {
+        if frame.rows.len() != 1 || !matches!(self.source, Source::Table(_)) {
+            return Ok(());
+        }
+        loop {
+            match self.next_frame() {
+                Ok(Some(_)) => {}
+                Err(why) if matches!(&self.source, Source::Table(table) if table.goes_back()) => {
+                    return Err(why);
+                }
+                Ok(None) | Err(_) => return Ok(()),
+            }
+        }
     }
 
     /// How many frames have been read.

@@ -2,6 +2,9 @@
 
 use std::str::{Split, SplitAsciiWhitespace};
 
+/// What is wrong with a word of no letters.
+pub const EMPTY: &str = "a column is empty";
+
 /// How a line of numbers is to be taken apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Separator {
@@ -73,7 +76,7 @@ impl Separator {
             return Ok(number);
         }
         if word.is_empty() {
-            return Err("a column is empty".to_owned());
+            return Err(EMPTY.to_owned());
         }
         let mut usual = word.replace(['d', 'D'], "e"); // Fortran
         if self.has_decimal_commas {

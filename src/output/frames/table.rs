@@ -6,13 +6,17 @@ use super::Frame;
 use super::column::Column;
 use super::comment::Comment;
 use super::guess::{self, BOOK, Guess};
+use super::ids::Ids;
 use super::layout::{Layout, Row};
 use super::lines::{Line, Lines};
 use super::remarks::Remarks;
-use super::separator::{Separator, shortened};
+use super::separator::Separator;
 
+mod heading;
+mod order;
 mod sample;
 
+use self::heading::{named, words_of};
 use self::sample::Block;
 
 /// A table while it is read.
@@ -20,6 +24,8 @@ use self::sample::Block;
 pub struct Table {
     /// The columns said by hand.
     by_hand: Option<Layout>,
+    /// The radius of all discs, m, where no column says it.
+    radius: Option<f64>,
     /// The columns in force, and what parts them.
     layout: Option<Layout>,
     separator: Option<Separator>,
@@ -27,6 +33,8 @@ pub struct Table {
     is_guessed: bool,
     /// Names in the heading of the present columns.
     heading: String,
+    /// Whether no row has followed the heading, a line of names, which may lack one for a leading index.
+    may_have_index: bool,
     /// A remark that may be a heading, until a row shows it.
     names: Option<String>,
     /// Remarks that only Poeschel and Schwager's programs write.
@@ -38,6 +46,12 @@ pub struct Table {
     /// Whether the frame has a head.
     has_head: bool,
     finished: usize,
+    /// The ids of the frame that has just begun.
+    ids: Ids,
+    /// The last row that was taken.
+    last: Option<Row>,
+    /// Whether rows of an earlier frame come after those of a later one.
+    goes_back: bool,
     /// Whether less than two blank lines stand between any frames.
     is_narrow: bool,
 }
@@ -56,9 +70,9 @@ enum Step {
 }
 
 impl Table {
-    /// A table with these columns, if they are said by hand.
-    pub fn new(by_hand: Option<Layout>) -> Self {
-        Self { layout: by_hand.clone(), by_hand, ..Self::default() }
+    /// A table with these columns, if they are said by hand; its discs have this `radius` (m) where no column says it.
+    pub fn new(by_hand: Option<Layout>, radius: Option<f64>) -> Self {
+        Self { layout: by_hand.clone(), by_hand, radius, ..Self::default() }
     }
 
     /// Whether the columns are named, by the file or by hand.
@@ -139,13 +153,34 @@ impl Table {
         if self.layout.is_none() {
             return Ok(Step::Unnamed);
         }
+        self.take_index(line, remarks);
         let row = self.row(line)?;
+        self.check_order(&row).map_err(|why| line.at(why))?;
         if self.is_of_next(&row) {
             self.is_narrow = true;
             return Ok(Step::OfNextFrame);
         }
+        self.check_id(&row).map_err(|why| line.at(why))?;
         self.push(row, remarks);
         Ok(Step::Taken)
+    }
+
+    /// Whether rows of an earlier frame have come after those of a later one.
+    pub fn goes_back(&self) -> bool {
+        self.goes_back
+    }
+
+    /// Passes over a whole number that stands before the columns that the heading names: the index that pandas writes.
+    fn take_index(&mut self, line: &Line, remarks: &mut Remarks) {
+        if !std::mem::take(&mut self.may_have_index) {
+            return;
+        }
+        let words: Vec<&str> = self.separator_of(line).words(&line.text).collect();
+        let Some(layout) = &self.layout else { return };
+        if words.len() == layout.columns().len() + 1 && words[0].parse::<u64>().is_ok() {
+            self.layout = Some(layout.after_index());
+            remarks.add("its first column, which its heading does not name, is passed over");
+        }
     }
 
     fn separator_of(&mut self, line: &Line) -> Separator {
@@ -169,7 +204,7 @@ impl Table {
         self.names = comment.names.or(self.names.take());
         match comment.columns {
             Some(columns) if self.by_hand.is_none() && columns != self.heading => {
-                self.layout = Some(named(&columns).map_err(|why| line.at(why))?);
+                self.layout = Some(named(&columns, self.radius).map_err(|why| line.at(why))?);
                 self.is_guessed = false;
                 self.heading = columns;
                 self.separator = None;
@@ -203,8 +238,9 @@ impl Table {
         if !separator.words(&line.text).any(is_coordinate) {
             return Ok(false);
         }
-        self.layout = Some(named(&line.text).map_err(|why| line.at(why))?);
+        self.layout = Some(named(&line.text, self.radius).map_err(|why| line.at(why))?);
         self.heading = line.text.clone().into_owned();
+        self.may_have_index = true;
         Ok(true)
     }
 
@@ -228,7 +264,7 @@ impl Table {
         let has =
             |column| words.iter().any(|word| Column::named(word).map_or(true, |one| one == column));
         if words.len() == n && has(Column::X) && has(Column::Y) {
-            self.layout = Some(named(&names)?);
+            self.layout = Some(named(&names, self.radius)?);
         }
         Ok(())
     }
@@ -236,7 +272,7 @@ impl Table {
     /// Takes the rows of the first frame of a file without heading.
     fn take_block(&mut self, block: Block, remarks: &mut Remarks) -> Result<(), String> {
         let Guess { layout, remark } =
-            guess::guess(&block.sample()).map_err(|why| block.at(&why))?;
+            guess::guess(&block.sample(), self.radius).map_err(|why| block.at(&why))?;
         remark.into_iter().for_each(|remark| remarks.add(remark));
         block.remark.iter().for_each(|remark| remarks.add(remark));
         for numbers in block.rows() {
@@ -287,12 +323,15 @@ impl Table {
         if row.kind != 0.0 {
             remarks.add("some of its particles stand or are driven (type not 0): here they move as all others");
         }
+        self.last = Some(row);
+        self.begun.lacks_radii |= !row.has_radius;
         self.begun.rows.push(row.disc);
     }
 
     fn finish(&mut self, remarks: &mut Remarks) -> Frame {
         self.finished += 1;
         self.first = None;
+        self.ids = Ids::default();
         self.has_head = false;
         let mut frame = std::mem::take(&mut self.begun);
         if let [Some(width), Some(height)] = self.sides {
@@ -331,25 +370,4 @@ impl Table {
             _ => Ok(None),
         }
     }
-}
-
-/// The words of a heading; a unit of its own belongs to the name before it.
-fn words_of(text: &str) -> Vec<String> {
-    let text = text.replace(" (", "(").replace(" [", "[");
-    let words: Vec<String> = match text.contains('\t') {
-        true => text.split('\t').map(str::to_owned).collect(),
-        false => Separator::of(&text).words(&text).map(str::to_owned).collect(),
-    };
-    words
-}
-
-/// The columns that a heading names.
-fn named(text: &str) -> Result<Layout, String> {
-    let words = words_of(text);
-    Layout::named(words.iter().map(String::as_str)).map_err(|why| {
-        let heading = shortened(text);
-        format!(
-            "{why} (heading `{heading}`)\n  way out: --columns x,y,-,r says by hand which column is what"
-        )
-    })
 }

@@ -11,7 +11,7 @@ use super::layout::Layout;
 use super::lines::Lines;
 use super::remarks::Remarks;
 use super::separator::{Separator, shortened};
-use super::{Frame, frame_of_rows, no_square, push_values};
+use super::{Frame, IS_PERIODIC, frame_of_rows, no_square, push_values};
 use crate::output::number::push_g9;
 
 const BLANK: Separator = Separator::BLANK;
@@ -21,15 +21,17 @@ const BLANK: Separator = Separator::BLANK;
 pub struct Xyz {
     /// The columns said by hand.
     by_hand: Option<Layout>,
+    /// The radius of all discs, m, where no column says it.
+    radius: Option<f64>,
     /// Those of the first frame, where it has no `Properties`.
     first: Option<Layout>,
     is_guessed: bool,
 }
 
 impl Xyz {
-    /// A file with these columns, if they are said by hand.
-    pub fn new(by_hand: Option<Layout>) -> Self {
-        Self { by_hand, ..Self::default() }
+    /// A file with these columns, if they are said by hand; its discs have this `radius` (m) where no column says it.
+    pub fn new(by_hand: Option<Layout>, radius: Option<f64>) -> Self {
+        Self { by_hand, radius, ..Self::default() }
     }
 
     /// Whether the columns are named, by the file or by hand.
@@ -47,7 +49,8 @@ impl Xyz {
         let Some(line) = lines.next()? else { return Err(cut(0, n)) };
         let remark = line.text.into_owned();
         let pairs = pairs(&remark);
-        let properties = value(&pairs, "properties").map(columns).transpose()?;
+        let properties = value(&pairs, "properties");
+        let properties = properties.map(|text| columns(text, self.radius)).transpose()?;
         let discs = match self.by_hand.as_ref().or(properties.as_ref()).or(self.first.as_ref()) {
             Some(layout) => each_row(lines, n, |row| layout.row(row.split_whitespace(), BLANK))?,
             None => {
@@ -59,10 +62,14 @@ impl Xyz {
                 discs
             }
         };
-        let mut frame = frame_of_rows(&discs, remarks);
+        let mut frame = frame_of_rows(&discs, lines.number(), remarks)?;
         frame.time = value(&pairs, "time").and_then(|time| time.parse().ok());
         frame.step =
             ["step", "timestep"].into_iter().find_map(|key| value(&pairs, key)?.parse().ok());
+        let pbc = value(&pairs, "pbc").unwrap_or_default();
+        if pbc.split_whitespace().take(2).any(|axis| axis.starts_with(['T', 't', '1'])) {
+            remarks.add(IS_PERIODIC);
+        }
         frame.side = side(&pairs, remarks);
         Ok(Some(frame))
     }
@@ -79,14 +86,11 @@ impl Xyz {
         if let Ok(named) = Layout::named(remark.trim_start_matches('#').split_whitespace())
             && named.columns().len() == n
         {
-            return Ok(named);
+            return named.with_radius(self.radius, "its second line");
         }
         let is_number = |word: &str| word.parse::<f64>().is_ok();
         if !first.split_whitespace().all(is_number) {
-            return Err(format!(
-                "nothing says which of its {n} columns is the radius: it has no Properties=...\n  way \
-                 out: --columns -,x,y,-,r if the radius comes after an element and x y z"
-            ));
+            return self.with_element(n);
         }
         let mut numbers = Vec::with_capacity(n * rows.len());
         for row in rows {
@@ -97,10 +101,31 @@ impl Xyz {
         if numbers.len() != n * rows.len() {
             return Err("its rows have not all the same number of columns".to_owned());
         }
-        let Guess { layout, remark } = guess::guess(&Sample { numbers: &numbers, columns: n })?;
+        let Guess { layout, remark } =
+            guess::guess(&Sample { numbers: &numbers, columns: n }, self.radius)?;
         remark.into_iter().for_each(|remark| remarks.add(remark));
         self.is_guessed = true;
         Ok(layout)
+    }
+
+    /// `n` columns of which the first is an element: then come x, y and perhaps z.
+    fn with_element(&self, n: usize) -> Result<Layout, String> {
+        use Column::{Other, X, Y, Z};
+        if self.radius.is_some() && (n == 3 || n == 4) {
+            let columns = [Other, X, Y, Z].into_iter().take(n).collect();
+            return Layout::of(columns)?.with_radius(self.radius, "an element and coordinates");
+        }
+        let one = "--radius 1e-3, with --start and convert";
+        let way_out = match n {
+            0..4 => format!("{one}, if they are an element, x and y"),
+            4 => format!(
+                "{one}, if they are an element, x, y and z; --columns -,x,y,r if the last is the radius"
+            ),
+            _ => "--columns -,x,y,-,r if the radius comes after an element and x y z".to_owned(),
+        };
+        Err(format!(
+            "nothing says which of its {n} columns is the radius: it has no Properties=...\n  way out: {way_out}"
+        ))
     }
 }
 
@@ -142,7 +167,7 @@ fn cut(read: usize, n: usize) -> String {
 }
 
 /// The columns that `species:S:1:pos:R:3` and the like name.
-fn columns(properties: &str) -> Result<Layout, String> {
+fn columns(properties: &str, radius: Option<f64>) -> Result<Layout, String> {
     use Column::{Diameter, Id, Mass, Other, Radius, Vx, Vy, X, Y, Z};
     let parts: Vec<&str> = properties.split(':').collect();
     let mut columns = Vec::new();
@@ -165,7 +190,9 @@ fn columns(properties: &str) -> Result<Layout, String> {
         let more = std::iter::repeat(Other);
         columns.extend(known.iter().copied().chain(more).take(width.min(1000)));
     }
-    Layout::of(columns).map_err(|why| format!("{why} (Properties={properties})"))
+    let heading = format!("Properties={properties}");
+    let layout = Layout::of(columns).map_err(|why| format!("{why} ({heading})"))?;
+    layout.with_radius(radius, &heading)
 }
 
 /// The `key=value` pairs of a remark, keys in lower case; a value may stand in quotes.

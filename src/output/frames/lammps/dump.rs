@@ -8,7 +8,7 @@ use crate::output::frames::lines::Lines;
 use crate::output::frames::remarks::Remarks;
 use crate::output::frames::separator::Separator;
 use crate::output::frames::xyz::each_row;
-use crate::output::frames::{Frame, frame_of_rows, push_values};
+use crate::output::frames::{Frame, IS_PERIODIC, frame_of_rows, push_values};
 use crate::output::number::push_g9;
 
 /// A dump while it is read.
@@ -16,6 +16,8 @@ use crate::output::number::push_g9;
 pub struct Dump {
     /// The columns said by hand.
     pub by_hand: Option<Layout>,
+    /// The radius of all discs, m, where no column says it.
+    pub radius: Option<f64>,
 }
 
 /// What the sections before the rows say.
@@ -52,7 +54,7 @@ impl Dump {
             if let Some(names) = item.strip_prefix("ATOMS") {
                 let layout = match &self.by_hand {
                     Some(layout) => layout.clone(),
-                    None => columns(names).map_err(|why| line.at(why))?,
+                    None => columns(names, self.radius).map_err(|why| line.at(why))?,
                 };
                 return self.rows(lines, &head, &layout, names, remarks).map(Some);
             }
@@ -70,7 +72,7 @@ impl Dump {
     ) -> Result<Frame, String> {
         let n = head.n.ok_or("there is no `ITEM: NUMBER OF ATOMS` before its atoms")?;
         let rows = each_row(lines, n, |row| layout.row(row.split_whitespace(), Separator::BLANK))?;
-        let mut frame = frame_of_rows(&rows, remarks);
+        let mut frame = frame_of_rows(&rows, lines.number(), remarks)?;
         if is_scaled(names) && self.by_hand.is_none() {
             let [Some(x), Some(y)] = head.bounds else {
                 return Err("xs and ys are fractions of a box, and there is none".to_owned());
@@ -96,6 +98,10 @@ impl Head {
         remarks: &mut Remarks,
     ) -> Result<(), String> {
         if let Some(kind) = item.strip_prefix("BOX BOUNDS") {
+            let kinds = kind.split_whitespace().filter(|word| !["xy", "xz", "yz"].contains(word));
+            if kinds.take(2).any(|kind| kind == "pp") {
+                remarks.add(IS_PERIODIC);
+            }
             let is_tilted = kind.contains("xy") || kind.contains("abc");
             for axis in 0..3 {
                 let Some(line) = lines.next()? else { break };
@@ -135,16 +141,17 @@ fn is_scaled(names: &str) -> bool {
     names.split_whitespace().any(|name| name == "xs" || name == "xsu")
 }
 
-fn columns(names: &str) -> Result<Layout, String> {
+fn columns(names: &str, radius: Option<f64>) -> Result<Layout, String> {
     let column = |name: &str| match name {
         "xs" | "xsu" => Ok(Column::X),
         "ys" | "ysu" => Ok(Column::Y),
         _ => Column::named(name),
     };
     let columns = names.split_whitespace().map(column).collect::<Result<_, _>>()?;
-    Layout::of(columns).map_err(|why| {
+    let layout = Layout::of(columns).map_err(|why| {
         format!("{why} (ATOMS{names})\n  way out: dump custom ... id x y radius vx vy mass, or --columns")
-    })
+    })?;
+    layout.with_radius(radius, &format!("ATOMS{names}; dump custom ... x y radius writes one"))
 }
 
 /// Writes a frame, number `index` of its file, as a dump. What the frame does not say is left out, but for
