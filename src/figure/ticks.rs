@@ -59,13 +59,14 @@ fn times_power_of_ten(value: f64, power: i32) -> f64 {
 }
 
 /// The marks of a logarithmic axis from `low` to `high`, both above zero: whole powers of ten, or
-/// every second, third, fifth ... of them, at most `wanted`. Where fewer than two powers of ten
+/// every second, third, fifth ... of them, at most `wanted`, but two at least. Where fewer than two powers of ten
 /// lie in the range, 2 and 5 times them too, or round numbers if even these are too few.
 ///
 /// ```
 /// use parsim2d::figure::ticks::log;
 /// assert_eq!(log(1e-3, 10.0, 10), [1e-3, 1e-2, 0.1, 1.0, 10.0]);
 /// assert_eq!(log(0.15, 6.0, 10), [0.2, 0.5, 1.0, 2.0, 5.0]);
+/// assert_eq!(log(1e-17, 1e-3, 2), [1e-15, 1e-10, 1e-5]);
 /// ```
 pub fn log(low: f64, high: f64, wanted: usize) -> Vec<f64> {
     if !(low > 0.0 && low.is_finite() && high >= low && high.is_finite()) {
@@ -75,8 +76,14 @@ pub fn log(low: f64, high: f64, wanted: usize) -> Vec<f64> {
     let within = |mark: &f64| *mark >= low * (1.0 - 1e-9) && *mark <= high * (1.0 + 1e-9);
     if last > first {
         let stride = decade_stride((last - first) as usize, wanted);
-        let powers = (first..=last).filter(|power| power.rem_euclid(stride) == 0);
-        return powers.map(|power| times_power_of_ten(1.0, power)).collect();
+        let marks = |stride: i32| -> Vec<f64> {
+            let powers = (first..=last).filter(|power| power.rem_euclid(stride) == 0);
+            powers.map(|power| times_power_of_ten(1.0, power)).collect()
+        };
+        // One mark alone has no scale.
+        let finer = [200, 100, 50, 20, 10, 5, 3, 2, 1].into_iter().filter(|finer| *finer < stride);
+        let mut all = std::iter::once(stride).chain(finer).map(marks);
+        return all.find(|marks| marks.len() > 1).unwrap_or_default();
     }
     let digits = (first - 1..=last + 1).flat_map(|power| {
         [1.0, 2.0, 5.0].into_iter().map(move |digit| times_power_of_ten(digit, power))
