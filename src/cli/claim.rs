@@ -10,6 +10,7 @@ use crate::output::checkpoint::container::Flaw;
 use crate::output::checkpoint::{self, Checkpoint, CheckpointError, refuse_foreign};
 use crate::output::failure;
 use crate::output::lock::FolderLock;
+use crate::output::place::is_same;
 use crate::output::recorder::{make_folder, refuse_in_the_way};
 use crate::scenario::settings::Settings;
 use crate::scenario::start::file_and_frame;
@@ -124,11 +125,7 @@ pub(super) fn keep_start(scenario: &Scenario) -> Result<(), Failure> {
     let DiscSource::Frame { said, .. } = &scenario.discs else { return Ok(()) };
     let (start, _) = file_and_frame(said);
     let folder = &scenario.output.folder;
-    let is_replaced =
-        |name: &str| match (Path::new(start).canonicalize(), folder.join(name).canonicalize()) {
-            (Ok(one), Ok(other)) => one == other,
-            _ => false,
-        };
+    let is_replaced = |name: &str| is_same(Path::new(start), &folder.join(name));
     if !is_replaced("trajectory.txt") && !is_replaced("out.txt") {
         return Ok(());
     }

@@ -1,6 +1,6 @@
 //! `parsim2d convert`: frames of any format that is read, in any that is written.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -16,6 +16,7 @@ use crate::output::frames::format::Format;
 use crate::output::frames::layout::Layout;
 use crate::output::frames::writer::{Target, Writer};
 use crate::output::frames::{Frame, Frames, Reading};
+use crate::output::place::is_same;
 use crate::output::replace::replace;
 use crate::scenario::quantity::{Length, Quantity};
 
@@ -221,7 +222,6 @@ fn open(input: &Path, output: &Path) -> Result<File, Refusal> {
     if input.is_dir() {
         return Err(unreadable(&"it is a folder"));
     }
-    let is_same = |a: &Path, b: &Path| matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b);
     if is_same(input, output) {
         return Err(Refusal {
             why: format!("{} is to be read and written at once", shown(input)),

@@ -19,6 +19,7 @@ use self::explain::explain;
 use self::sheets::Sheets;
 use super::Failure;
 use crate::grade::rubric::{COMMENTED, Rubric};
+use crate::output::OutputError;
 use crate::sheet::plain::{one_line, short_names};
 use crate::sheet::{Entry, Graded};
 
@@ -45,7 +46,9 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
         Failure::Stdout(why) if why.kind() != io::ErrorKind::BrokenPipe => {
             Failure::Grade(GradeError::Unwritten(Failure::Stdout(why).to_string()))
         }
-        Failure::Output(why) => Failure::Grade(GradeError::Unwritten(why.to_string())),
+        Failure::Output(why @ OutputError::Write { .. }) => {
+            Failure::Grade(GradeError::Unwritten(why.to_string()))
+        }
         _ => why,
     })
 }

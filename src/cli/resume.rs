@@ -23,10 +23,9 @@ use crate::analysis::energy::MechanicalEnergy;
 use crate::analysis::guard::Memory;
 use crate::output::checkpoint::{self, Checkpoint, Progress};
 use crate::output::number::{counted, seconds};
-use crate::output::place::folder_of;
+use crate::output::place::{folder_of, is_same};
 use crate::output::record;
 use crate::output::recorder::Recorder;
-use crate::output::recorder::continued::is_same_folder;
 use crate::scenario::Scenario;
 use crate::scenario::quantity::{Number, Quantity, Time, thread_count};
 use crate::scenario::settings::Settings;
@@ -118,7 +117,7 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     let file = arguments.checkpoint()?;
     let from = folder_of(&file);
     let folder = arguments.out_dir.as_deref().unwrap_or(from);
-    let mut claim = match arguments.out_dir.is_none() || is_same_folder(from, folder) {
+    let mut claim = match arguments.out_dir.is_none() || is_same(from, folder) {
         true => Claim::of_same_run(from)?,
         false => Claim::of_new_run(folder)?,
     };

@@ -33,8 +33,8 @@ pub fn plain_file(path: &Path) -> io::Result<File> {
     place(path).and_then(File::open)
 }
 
-/// Whether both are names of one file that is there.
-pub fn is_same_file(one: &Path, other: &Path) -> bool {
+/// Whether both are names of one file, or folder, that is there.
+pub fn is_same(one: &Path, other: &Path) -> bool {
     matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
 }
 

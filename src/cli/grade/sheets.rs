@@ -10,7 +10,7 @@ use super::arguments::SheetArguments;
 use super::error::GradeError;
 use crate::cli::Failure;
 use crate::output::OutputError;
-use crate::output::place::is_same_file;
+use crate::output::place::is_same;
 use crate::sheet::classroom50::{Classroom, utc};
 use crate::sheet::folder::{Around, Folder, Format, write_whole};
 use crate::sheet::json::json_of_student;
@@ -140,7 +140,7 @@ fn refuse_over_inputs(
     mut written: impl Iterator<Item = PathBuf>,
     inputs: &[PathBuf],
 ) -> Result<(), GradeError> {
-    match written.find(|out| inputs.iter().any(|input| is_same_file(input, out))) {
+    match written.find(|out| inputs.iter().any(|input| is_same(input, out))) {
         Some(path) => Err(GradeError::OverInput { path }),
         None => Ok(()),
     }

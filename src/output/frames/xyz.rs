@@ -11,7 +11,7 @@ use super::layout::Layout;
 use super::lines::Lines;
 use super::remarks::Remarks;
 use super::separator::{Separator, shortened};
-use super::{Frame, IS_PERIODIC, frame_of_rows, no_square, push_values};
+use super::{Frame, FrameRow, IS_PERIODIC, frame_of_rows, no_square, push_values};
 use crate::output::number::push_g9;
 
 const BLANK: Separator = Separator::BLANK;
@@ -260,16 +260,21 @@ pub fn write(out: &mut impl Write, frame: &Frame) -> io::Result<()> {
     text.push(b'\n');
     for (k, row) in frame.rows.iter().enumerate() {
         text.extend(b"X ");
-        push_values(&mut text, &[row.position.x, row.position.y, 0.0, row.radius]);
-        if let Some(velocity) = row.velocity {
-            text.push(b' ');
-            push_values(&mut text, &[velocity.x, velocity.y, 0.0]);
-        }
-        if let Some(mass) = row.mass {
-            text.push(b' ');
-            push_g9(&mut text, mass);
-        }
+        push_in_space(&mut text, row);
         text.extend(format!(" {}\n", row.id.unwrap_or(k as u64)).bytes());
     }
     out.write_all(&text)
+}
+
+/// A disc as three dimensions have it: x y z radius, then vx vy vz and the mass where they are known.
+pub(super) fn push_in_space(text: &mut Vec<u8>, row: &FrameRow) {
+    push_values(text, &[row.position.x, row.position.y, 0.0, row.radius]);
+    if let Some(velocity) = row.velocity {
+        text.push(b' ');
+        push_values(text, &[velocity.x, velocity.y, 0.0]);
+    }
+    if let Some(mass) = row.mass {
+        text.push(b' ');
+        push_g9(text, mass);
+    }
 }

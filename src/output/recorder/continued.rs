@@ -12,7 +12,7 @@ use crate::output::energy::EnergyFile;
 use crate::output::growing::Extent;
 use crate::output::live::LiveFrame;
 use crate::output::live_writer::LiveWriter;
-use crate::output::place::plain_file;
+use crate::output::place::{is_same, plain_file};
 use crate::output::replace::{NewFile, remove_temporaries};
 use crate::output::together::take_places;
 use crate::output::trajectory::Trajectory;
@@ -91,7 +91,7 @@ impl Recorder {
         written.check(from)?;
         let folder = &plan.folder;
         let path = |name: &str| folder.join(name);
-        let is_here = is_same_folder(from, folder);
+        let is_here = is_same(from, folder);
         // A checkpoint here may be no good: the run goes on from the other one.
         if is_here { refuse_in_the_way(folder) } else { make_ready(folder) }?;
         // Of a run that was killed; and the only one here is this one.
@@ -146,14 +146,6 @@ fn check(path: &Path, extent: Extent) -> Result<(), OutputError> {
         Ok(Some(false)) => refuse(format!("its first {bytes} bytes are not those of that run")),
         Ok(None) => refuse(format!("it is shorter than the {bytes} bytes it had then")),
         Err(why) => refuse(why.to_string()),
-    }
-}
-
-/// Whether both names are those of one folder, which is there.
-pub fn is_same_folder(one: &Path, other: &Path) -> bool {
-    match (one.canonicalize(), other.canonicalize()) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => false,
     }
 }
 

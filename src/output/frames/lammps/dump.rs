@@ -7,7 +7,7 @@ use crate::output::frames::layout::Layout;
 use crate::output::frames::lines::Lines;
 use crate::output::frames::remarks::Remarks;
 use crate::output::frames::separator::Separator;
-use crate::output::frames::xyz::each_row;
+use crate::output::frames::xyz::{each_row, push_in_space};
 use crate::output::frames::{Frame, IS_PERIODIC, frame_of_rows, push_values};
 use crate::output::number::push_g9;
 
@@ -182,15 +182,7 @@ pub fn write(out: &mut impl Write, index: usize, frame: &Frame) -> io::Result<()
     text.extend(if has_mass { &b" mass\n"[..] } else { b"\n" });
     for (k, row) in frame.rows.iter().enumerate() {
         text.extend(format!("{} 1 ", row.id.unwrap_or(k as u64)).bytes());
-        push_values(&mut text, &[row.position.x, row.position.y, 0.0, row.radius]);
-        if let Some(velocity) = row.velocity {
-            text.push(b' ');
-            push_values(&mut text, &[velocity.x, velocity.y, 0.0]);
-        }
-        if let Some(mass) = row.mass {
-            text.push(b' ');
-            push_g9(&mut text, mass);
-        }
+        push_in_space(&mut text, row);
         text.push(b'\n');
     }
     out.write_all(&text)
