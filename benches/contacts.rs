@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 use glam::DVec2;
 use parsim2d::crowd::Crowd;
 use parsim2d::discs::Discs;
-use parsim2d::force::{Contacts, Force, Tally};
 use parsim2d::integrator::{Integrator, Motion, SymplecticEuler};
 use parsim2d::neighbours::Neighbours;
 use parsim2d::particle::{Damping, Particle, SpringDashpot};
+use parsim2d::simulation::PlainDiscs;
 
 /// Numbers of discs: in the first cache, in the second, in none.
 const SIZES: [usize; 3] = [1_000, 20_000, 100_000];
@@ -62,29 +62,19 @@ fn bed(n: usize) -> Vec<Particle> {
     (0..n).map(disc).collect()
 }
 
-fn contacts() -> Contacts<SpringDashpot> {
+fn law() -> SpringDashpot {
     let damping = Damping::Coefficient(1.5e-3); // kg/s, the guide's
-    let law = SpringDashpot { stiffness: 5e4, damping, tension: true };
-    Contacts { law, neighbours: Neighbours::default() }
+    SpringDashpot { stiffness: 5e4, damping, tension: true }
 }
 
 /// Every contact found, computed and given to both discs; the list is there already.
 fn contact_pass(n: usize) {
-    let (mut particles, mut contacts, mut tally) = (bed(n), contacts(), Tally::default());
-    contacts.apply(&mut particles, &mut tally);
-    report(
-        "contact_pass",
-        n,
-        || (),
-        |()| {
-            black_box(contacts.apply(black_box(&mut particles), &mut tally));
-        },
-    );
+    let mut discs = PlainDiscs::new(bed(n), DVec2::ZERO, law(), Vec::new());
+    report("contact_pass", n, || (), |()| black_box(&mut discs).update_forces());
 }
 
 fn crowd(particles: Vec<Particle>, has_ledger: bool) -> Crowd<SpringDashpot> {
-    let law = contacts().law;
-    let mut crowd = Crowd::new(particles, DVec2::ZERO, law, Vec::new(), DT, 1);
+    let mut crowd = Crowd::new(particles, DVec2::ZERO, law(), Vec::new(), DT, 1);
     if has_ledger {
         crowd.keep_work_ledger();
     }

@@ -1,4 +1,4 @@
-//! Many discs, fast: the same physics as [`PlainDiscs`](crate::discs::PlainDiscs) with the contacts of [`crate::force`], to the
+//! Many discs, fast: the same physics as [`PlainDiscs`](crate::simulation::PlainDiscs), to the
 //! same bits, on any number of threads.
 //!
 //! What it does otherwise:
@@ -49,10 +49,11 @@ use self::seam::Seam;
 use self::sizes::Sizes;
 use self::team::Team;
 use crate::discs::Discs;
-use crate::force::{HalfPlane, Tally};
+use crate::discs::columns::Columns;
+use crate::force::HalfPlane;
 use crate::integrator::Motion;
 use crate::particle::Particle;
-use crate::work::Works;
+use crate::work::Channel;
 
 /// Discs in a block: what is moved, walked or summed in one go. Sums are kept block by block and then
 /// added in order, so that they do not depend on who did which.
@@ -72,17 +73,13 @@ pub struct Crowd<L> {
     planes: Vec<HalfPlane>,
     gravity: DVec2, // m/s2
     dt: f64,        // s
-    /// The discs as they are stored, and the id of each.
+    /// The discs as they are stored, and what is remembered beside them (but for the list's own columns).
     particles: Vec<Particle>,
-    ids: Vec<u32>,
-    /// The springs' part of the forces on the discs as they are stored, N; empty without ledger.
-    springs: Vec<DVec2>,
+    columns: Columns,
     near: Near,
     /// Asked for, and not done yet: first to add up the forces, then to move.
     forces_are_wanted: bool,
     moves: Vec<Move>,
-    tally: Tally,
-    works: Option<Works>,
     team: Team,
     rings: Vec<Ring>,
     seams: Vec<Seam>,
@@ -112,14 +109,11 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             planes,
             gravity: gravity + DVec2::ZERO, // -0.0 would be told from the 0.0 of no contact
             dt,
-            ids: (0..particles.len() as u32).collect(),
+            columns: Columns { ids: (0..particles.len() as u32).collect(), ..Columns::default() },
             particles,
-            springs: Vec::new(),
             near: Near::default(),
             forces_are_wanted: false,
             moves: Vec::new(),
-            tally: Tally::default(),
-            works: None,
             rings: Vec::new(),
             seams: Vec::new(),
             team,
@@ -147,14 +141,14 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         }
         self.in_id_order.take();
         let moves = std::mem::take(&mut self.moves);
-        let kicks = match self.works {
-            Some(_) => moves.iter().filter(|to_do| matches!(to_do, Move::Kick(_))).count(),
-            None => 0,
+        let kicks = match self.has_ledger() {
+            true => moves.iter().filter(|to_do| matches!(to_do, Move::Kick(_))).count(),
+            false => 0,
         };
         let mut books = vec![[0.0; 3]; self.particles.len().div_ceil(BLOCK) * kicks];
         let found = self.go_through(&moves, kicks, &mut books, keeps_springs);
         self.book(kicks, &books);
-        self.tally = found.largest.tally;
+        self.columns.overlaps = found.largest.overlaps;
         if self.forces_are_wanted {
             self.since_forces = Since::Still;
         }
@@ -181,7 +175,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             gravity: self.gravity,
             near: &self.near,
             adds_up: self.forces_are_wanted,
-            has_ledger: self.works.is_some(),
+            has_ledger: self.has_ledger(),
             keeps_springs,
             moves,
             kicks,
@@ -196,9 +190,9 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             }
         }
         *self.seams.last_mut().expect("one more than runs") = Seam::none();
-        let nothing = Found { largest: Largest::of(&self.tally), farthest: 0.0 };
+        let nothing = Found { largest: Largest::of(self.columns.overlaps), farthest: 0.0 };
         let mut found = vec![nothing.clone(); runs.len()];
-        let (mut particles, mut springs) = (&mut self.particles[..], &mut self.springs[..]);
+        let (mut particles, mut springs) = (&mut self.particles[..], &mut self.columns.springs[..]);
         let mut books = books;
         let seams = self.seams.windows(2).map(|seams| [&seams[0], &seams[1]]);
         let shares = runs.into_iter().zip(seams).zip(&mut self.rings).zip(&mut found);
@@ -218,12 +212,11 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
 
     /// Adds up what the blocks have booked, kick by kick and block by block.
     fn book(&mut self, kicks: usize, books: &[Booked]) {
-        let Some(works) = &mut self.works else { return };
+        let kinds = [Channel::Gravity, Channel::NormalSpring, Channel::NormalDashpot];
         for kick in 0..kicks {
-            for [gravity, spring, dashpot] in books.iter().skip(kick).step_by(kicks) {
-                works.gravity.add(*gravity);
-                works.spring.add(*spring);
-                works.dashpot.add(*dashpot);
+            for sums in books.iter().skip(kick).step_by(kicks) {
+                let works = &mut self.columns.works;
+                kinds.iter().zip(sums).for_each(|(kind, sum)| works[*kind].work.add(*sum));
             }
         }
     }
@@ -235,10 +228,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         put_in_order(order, |a, b| {
             is_moved = true;
             self.particles.swap(a, b);
-            self.ids.swap(a, b);
-            if !self.springs.is_empty() {
-                self.springs.swap(a, b);
-            }
+            self.columns.swap(a, b);
         });
         if is_moved {
             self.in_id_order.take();
@@ -255,24 +245,24 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
 
         let mut cells = Cells::default();
         cells.lay_out(&self.particles, &sizes, |density| 2.0 * radius + skin(density));
-        let mut order = cells.order(&self.particles, &self.ids, &self.team);
+        let mut order = cells.order(&self.particles, &self.columns.ids, &self.team);
         self.store(&mut order);
         let skin = skin(cells.density);
-        let Self { particles, ids, planes, .. } = self;
+        let Self { particles, columns: Columns { ids, .. }, planes, .. } = self;
         self.near.make(Listed { particles, ids, planes }, &cells, &sizes, skin, &self.team);
     }
 
     /// Stores the discs in id order again.
     fn restore_id_order(&mut self) {
         self.settle();
-        let mut order: Vec<u32> = vec![0; self.ids.len()];
-        for (place, &id) in (0..).zip(&self.ids) {
+        let mut order: Vec<u32> = vec![0; self.columns.ids.len()];
+        for (place, &id) in (0..).zip(&self.columns.ids) {
             order[id as usize] = place;
         }
         self.store(&mut order);
         self.in_id_order.take(); // the discs themselves may be about to change
         // Good for the energy of the present state; the next step stores the discs by cells again.
-        let Self { particles, ids, planes, .. } = self;
+        let Self { particles, columns: Columns { ids, .. }, planes, .. } = self;
         self.near.list_anywhere(Listed { particles, ids, planes }, &self.team);
         self.near.forget();
     }
@@ -326,9 +316,14 @@ impl<L: LaneLaw + Clone + Sync + 'static> Motion for Crowd<L> {
         self.forces_are_wanted = true;
     }
 
-    fn particles_mut(&mut self) -> &mut [Particle] {
-        self.restore_id_order();
+    fn each(&mut self, change: &(dyn Fn(&mut Particle) + Sync)) {
+        self.settle();
+        self.team.pieces(&mut self.particles, |_, discs| discs.iter_mut().for_each(change));
+        self.in_id_order.take();
         self.since_forces = Since::Unknown;
-        &mut self.particles
+        // Nothing is asked for: this only looks how far the discs have come.
+        if self.go_through(&[], 0, &mut [], true).farthest > self.near.limit_squared {
+            self.near.forget();
+        }
     }
 }

@@ -14,10 +14,11 @@ pub trait Motion {
     fn drift(&mut self, dt: f64);
     /// F = F(x, v), every disc.
     fn update_forces(&mut self);
-    /// The discs themselves, for methods that need more than kicks and drifts. Velocities
-    /// changed here and not by `kick` are missing from the work ledger; radii and masses are not an
-    /// integrator's to change: a guard that goes back would not find the old ones.
-    fn particles_mut(&mut self) -> &mut [Particle];
+    /// Changes every disc, for methods that need more than kicks and drifts: in any order, by several threads at once if
+    /// there are many discs, so what one becomes may hang on nothing but itself. Velocities changed here and not by `kick`
+    /// are missing from the work ledger; radii and masses are not an integrator's to change: a guard that goes back
+    /// would not find the old ones.
+    fn each(&mut self, change: &(dyn Fn(&mut Particle) + Sync));
 }
 
 /// A way to move the discs on by one time step.

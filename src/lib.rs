@@ -10,9 +10,9 @@
 //! | Eq. (2) `dt = pi sqrt(m / k_n) / N_t` | [`simulation::time_step`] |
 //! | Eq. (3) `v' = v + a dt; x' = x + v' dt` | [`particle::Particle::kick`], [`particle::Particle::drift`], [`integrator::SymplecticEuler`] |
 //!
-//! Reading order, an hour in all: [`particle`] (a disc, a contact, Eq. (1)), [`simulation`] (the clock, Eq. (2)),
-//! [`integrator`] (Eq. (3) in sequence), [`discs`] ([`discs::PlainDiscs`]: m a = m g + sum f_c), [`force`] (the
-//! contact loop, walls). Then what they rest on ([`placement`], [`neighbours`], [`work`]), the fast way ([`crowd`]), what is read off a run
+//! Reading order, an hour in all: [`particle`] (a disc, a contact, Eq. (1)), [`simulation`] (Eq. (2), the step, and
+//! m a = m g + sum f_c in [`simulation::PlainDiscs`]), [`integrator`] (Eq. (3) in sequence), [`force`] (forces of your own, where
+//! walls stand). Then what they rest on ([`placement`], [`neighbours`], [`work`], [`discs`]), the fast way ([`crowd`]), what is read off a run
 //! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
 //! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]) and told ([`sheet`]), how students'
 //! programs are built and run ([`workshop`]) and marked ([`marking`]), and the command line ([`cli`]). Arrows between them go

@@ -126,6 +126,30 @@ pub trait ContactLaw: Send {
     fn spring(&self, contact: &Contact) -> f64;
     /// Energy stored in the contact, J.
     fn stored_energy(&self, contact: &Contact) -> f64;
+    /// The spring and dashpot that this law is for small changes about `contact`, of some overlap: what limits the time
+    /// step, and a vibration's period, follow from it. Here from differences of [`push`](Self::push), to five
+    /// digits or so, for nobody should have to differentiate to try a law.
+    fn linearised(&self, contact: &Contact) -> Linear {
+        let slope = |change: f64, of: &dyn Fn(f64) -> Contact| {
+            (self.push(&of(change)) - self.push(&of(-change))) / (2.0 * change)
+        };
+        let small = 1e-5 * contact.overlap; // rounding and curvature take 1e-10 each
+        let deeper = |by| Contact { overlap: contact.overlap + by, ..*contact };
+        let stiffness = slope(small, &deeper);
+        // As fast as a vibration of so small a width.
+        let slow = small * (stiffness.abs().max(f64::MIN_POSITIVE) / contact.reduced_mass).sqrt();
+        let faster = |by| Contact { approach_speed: contact.approach_speed + by, ..*contact };
+        Linear { stiffness, damping: slope(slow, &faster) }
+    }
+}
+
+/// A contact law for small changes about a contact: push = (there) + stiffness d(overlap) + damping d(approach speed).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear {
+    /// How much harder the bodies push for each metre that they are deeper in each other.
+    pub stiffness: f64, // N/m
+    /// How much harder for each m/s that they approach faster.
+    pub damping: f64, // kg/s
 }
 
 /// The guide's contact: a linear spring and a dashpot side by side (Cundall and Strack 1979).
@@ -158,7 +182,7 @@ impl ContactLaw for SpringDashpot {
     /// };
     /// assert!((law.push(&contact) - 0.50075).abs() < 1e-12); // 5e4 * 1e-5 + 1.5e-3 * 0.5 N
     /// ```
-    #[inline]
+    #[inline(always)]
     fn push(&self, contact: &Contact) -> f64 {
         let eta = self.damping.coefficient(self.stiffness, contact.reduced_mass);
         let push = self.stiffness * contact.overlap + eta * contact.approach_speed;
@@ -173,6 +197,12 @@ impl ContactLaw for SpringDashpot {
     #[inline]
     fn stored_energy(&self, contact: &Contact) -> f64 {
         0.5 * self.stiffness * contact.overlap * contact.overlap
+    }
+
+    /// k_n and eta_n, whatever the contact (also where a clipped force is 0).
+    fn linearised(&self, contact: &Contact) -> Linear {
+        let damping = self.damping.coefficient(self.stiffness, contact.reduced_mass);
+        Linear { stiffness: self.stiffness, damping }
     }
 }
 

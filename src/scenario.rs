@@ -49,13 +49,12 @@ use self::settings::{IntegratorName, PlacementName};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
 use crate::analysis::stability::{self, Assembly, Limit, Species};
 use crate::crowd::{Crowd, WORTH_SHARING};
-use crate::discs::{Discs, PlainDiscs};
-use crate::force::{Contacts, HalfPlane, Walls};
+use crate::discs::Discs;
+use crate::force::HalfPlane;
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
-use crate::neighbours::Neighbours;
 use crate::output::frames::layout::Layout;
 use crate::particle::{Damping, Particle, SpringDashpot};
-use crate::simulation::{Simulation, time_step};
+use crate::simulation::{PlainDiscs, Simulation, time_step};
 
 /// Fewer discs than this are stepped the plain way: nothing is gained by storing them by cell.
 const CROWD: usize = 100;
@@ -338,9 +337,7 @@ impl Scenario {
         let discs: Box<dyn Discs> = if as_crowd {
             Box::new(Crowd::new(particles, gravity, law, planes, dt, self.threads()))
         } else {
-            let walls = Box::new(Walls { law, planes });
-            let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
-            Box::new(PlainDiscs::new(particles, gravity, vec![walls, contacts]))
+            Box::new(PlainDiscs::new(particles, gravity, law, planes))
         };
         Simulation::of(discs, self.new_integrator(), dt)
     }

@@ -29,6 +29,7 @@ fn progress(step: u64, numbers: [f64; 5]) -> Progress {
         gravitational_at_start_J: gravitational,
         elastic_at_start_J: elastic,
         movable_at_start_J: movable,
+        supplied_at_start_J: 0.0,
         overlap_at_start: overlap,
         grown_at: Some(64),
         written: Written {
@@ -132,7 +133,7 @@ fn a_checkpoint_begins_with_its_scenario_in_plain_text() {
     let checkpoint = checkpoint();
     let bytes = sealed(&checkpoint.sections());
     let head: Vec<&[u8]> = bytes.split(|&byte| byte == b'\n').take(12).collect();
-    assert_eq!(head[0], b"parsim2d checkpoint 1");
+    assert_eq!(head[0], b"parsim2d checkpoint 2");
     assert!(head[1].starts_with(b"section scenario text "));
     assert!(head.contains(&&b"n = 12"[..]) && head.contains(&&b"seed = 5"[..]));
     assert_eq!(Checkpoint::from_bytes(&bytes).unwrap(), checkpoint);
@@ -140,7 +141,7 @@ fn a_checkpoint_begins_with_its_scenario_in_plain_text() {
 
 /// A checkpoint as the format tells it, put together from whole arrays.
 fn plainly_written(sections: &[(String, Content)]) -> Vec<u8> {
-    let mut file = b"parsim2d checkpoint 1\n".to_vec();
+    let mut file = b"parsim2d checkpoint 2\n".to_vec();
     for (name, content) in sections {
         let (kind, bytes) = match content {
             Content::Text(text) => ("text", text.clone().into_bytes()),
@@ -231,7 +232,7 @@ proptest! {
     #[test]
     fn no_bytes_make_the_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         prop_assert!(Checkpoint::from_bytes(&bytes).is_err());
-        let begun = [b"parsim2d checkpoint 1\n".to_vec(), bytes].concat();
+        let begun = [b"parsim2d checkpoint 2\n".to_vec(), bytes].concat();
         prop_assert!(Checkpoint::from_bytes(&begun).is_err());
     }
 }

@@ -1,8 +1,6 @@
 //! The guard of a run: what it notices, and the step it finds.
 
-use crate::support::{
-    ELASTIC, MASS, NewIntegrator, RADIUS, STIFFNESS, contacts, disc_at, floor, law, walls,
-};
+use crate::support::{ELASTIC, MASS, NewIntegrator, RADIUS, STIFFNESS, disc_at, floor, law};
 use glam::DVec2;
 use parsim2d::analysis::energy::MechanicalEnergy;
 use parsim2d::analysis::guard::{BEYOND, CROSSED, EVERY, GROWTH, Guard, Trouble, Wrong};
@@ -11,6 +9,7 @@ use parsim2d::force::HalfPlane;
 use parsim2d::integrator::{Integrator, SymplecticEuler, VelocityVerlet};
 use parsim2d::particle::Particle;
 use parsim2d::simulation::Simulation;
+use parsim2d::work::Works;
 
 /// Two discs held together by a squeeze between two walls, stepped above their limit.
 fn squeezed_pair(integrator: Box<dyn Integrator>, ledger: bool) -> Simulation {
@@ -23,9 +22,8 @@ fn squeezed_pair(integrator: Box<dyn Integrator>, ledger: bool) -> Simulation {
         HalfPlane { point: DVec2::new(-0.9 * RADIUS, 0.0), normal: DVec2::NEG_X },
         HalfPlane { point: DVec2::new(2.8 * RADIUS, 0.0), normal: DVec2::X },
     ];
-    let forces = vec![walls(law, &planes), contacts(law)];
     let dt = 1.3 * mode_limit(STIFFNESS, 0.0, 2.0 / MASS);
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, integrator, dt);
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, law, &planes, integrator, dt);
     if ledger {
         simulation.keep_work_ledger();
     }
@@ -61,7 +59,7 @@ fn the_first_bad_step_is_found_and_the_state_is_the_one_before() {
         while oracle.steps() + 1 < trouble.step {
             oracle.step();
             let energy = MechanicalEnergy::of(&oracle).total();
-            let dissipated = oracle.works().map_or(0.0, |works| -works.dashpot.value());
+            let dissipated = oracle.works().map_or(0.0, Works::dissipated);
             assert!(energy <= most && energy + dissipated <= most, "step {}", oracle.steps());
             assert!(oracle.largest_sinking() < CROSSED);
         }
@@ -84,8 +82,8 @@ fn thrown(speed: f64) -> Simulation {
     let soft = parsim2d::particle::SpringDashpot { stiffness: 1.0, ..law(ELASTIC) };
     let disc = disc_at(DVec2::new(0.02, 2.0 * RADIUS), DVec2::new(0.0, -speed));
     let dt = 1e-5;
-    let forces = vec![walls(soft, &[floor()])];
-    Simulation::new(vec![disc], DVec2::ZERO, forces, Box::new(SymplecticEuler), dt)
+    let integrator = Box::new(SymplecticEuler);
+    Simulation::new(vec![disc], DVec2::ZERO, soft, &[floor()], integrator, dt)
 }
 
 #[test]
@@ -111,9 +109,8 @@ fn a_disc_five_radii_deep_in_a_wall_is_named_with_the_wall() {
 fn a_number_that_is_none_is_found_with_its_disc() {
     let discs =
         (0..5).map(|k| disc_at(DVec2::new(0.005 * (k + 1) as f64, 0.02), DVec2::X)).collect();
-    let forces = vec![contacts(law(ELASTIC))];
-    let mut simulation =
-        Simulation::new(discs, DVec2::ZERO, forces, Box::new(SymplecticEuler), 1e-6);
+    let (law, integrator) = (law(ELASTIC), Box::new(SymplecticEuler));
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, law, &[], integrator, 1e-6);
     let mut guard = Guard::new(&simulation, None, false);
     assert_eq!(guard.look(&mut simulation), None);
     (0..10).for_each(|_| simulation.step());

@@ -8,7 +8,8 @@ use glam::DVec2;
 use super::energy::MechanicalEnergy;
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
-use crate::simulation::{KeptState, Simulation};
+use crate::simulation::Simulation;
+use crate::simulation::restore_point::RestorePoint;
 use crate::work::Works;
 
 /// Steps between two looks.
@@ -79,6 +80,8 @@ pub struct Memory {
     pub start: MechanicalEnergy,
     /// What could move the discs at the start, J.
     pub movable: f64,
+    /// Energy that had been supplied from outside at the start, J.
+    pub supplied: f64,
     /// The step of the last look, if the energy had grown then.
     pub grown_at: Option<u64>,
 }
@@ -89,7 +92,8 @@ pub struct Guard {
     soft: bool,
     start: MechanicalEnergy, // J
     movable: f64,            // J, what could move the discs at the start
-    kept: KeptState,
+    supplied: f64,           // J, from outside until the start
+    kept: RestorePoint,
     looks: u64,
     /// The step of the last look, if the energy had grown then.
     grown_at: Option<u64>,
@@ -102,7 +106,8 @@ impl Guard {
         let start = MechanicalEnergy::of(simulation);
         let height = height_to_fall(simulation, side);
         let movable = start.kinetic + start.elastic + height;
-        Self::continued(simulation, side, soft, Memory { start, movable, grown_at: None })
+        let memory = Memory { start, movable, supplied: simulation.supplied(), grown_at: None };
+        Self::continued(simulation, side, soft, memory)
     }
 
     /// A guard that goes on where another, whose `memory` it has, left a good state: it finds the same
@@ -113,15 +118,16 @@ impl Guard {
         soft: bool,
         memory: Memory,
     ) -> Self {
-        let Memory { start, movable, grown_at } = memory;
-        let mut kept = KeptState::default();
+        let Memory { start, movable, supplied, grown_at } = memory;
+        let mut kept = RestorePoint::default();
         simulation.keep(&mut kept);
-        Self { side, soft, start, movable, kept, looks: 0, grown_at }
+        Self { side, soft, start, movable, supplied, kept, looks: 0, grown_at }
     }
 
     /// What another guard must know to go on.
     pub fn memory(&self) -> Memory {
-        Memory { start: self.start, movable: self.movable, grown_at: self.grown_at }
+        let Self { start, movable, supplied, grown_at, .. } = *self;
+        Memory { start, movable, supplied, grown_at }
     }
 
     /// Whether nothing is wrong with the present state. Changes nothing.
@@ -174,7 +180,7 @@ impl Guard {
         at_last: Wrong,
         grown_at: Option<u64>,
     ) -> Option<Trouble> {
-        let mut seen = KeptState::default();
+        let mut seen = RestorePoint::default();
         simulation.keep(&mut seen);
         let last_good = self.last_good_step(simulation, seen.steps());
         if at_last == Wrong::EnergyGrown && grown_at.is_some_and(|step| last_good >= step) {
@@ -187,7 +193,7 @@ impl Guard {
         while simulation.steps() < last_good {
             simulation.step();
         }
-        let mut before = KeptState::default();
+        let mut before = RestorePoint::default();
         simulation.keep(&mut before);
         let energy_before = MechanicalEnergy::of(simulation).total();
         simulation.step();
@@ -217,8 +223,8 @@ impl Guard {
 
     fn wrong(&self, simulation: &Simulation) -> Option<Wrong> {
         let now = MechanicalEnergy::of(simulation);
-        // What was supplied from outside is not held against the run.
-        let mechanical = now.total() - simulation.works().map_or(0.0, Works::supplied);
+        // What was supplied from outside since the start is not held against the run.
+        let mechanical = now.total() - (simulation.supplied() - self.supplied);
         let total = mechanical + dissipated(simulation).unwrap_or(0.0);
         if !mechanical.is_finite() || !total.is_finite() {
             Some(Wrong::NotFinite)
@@ -290,9 +296,9 @@ impl Guard {
     }
 }
 
-/// What the dashpots took, J, where a ledger is kept.
+/// What damping took, J, where a ledger is kept.
 fn dissipated(simulation: &Simulation) -> Option<f64> {
-    simulation.works().map(|works| 0.0 - works.dashpot.value())
+    simulation.works().map(Works::dissipated)
 }
 
 /// What gravity can give the discs until the wall ends their fall, J; without walls nothing is

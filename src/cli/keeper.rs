@@ -114,7 +114,7 @@ fn progress(
     memory: Memory,
     recorder: &mut Recorder,
 ) -> Result<Progress, OutputError> {
-    let Memory { start, movable, grown_at } = memory;
+    let Memory { start, movable, supplied, grown_at } = memory;
     Ok(Progress {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         step: simulation.steps(),
@@ -125,6 +125,7 @@ fn progress(
         gravitational_at_start_J: start.gravitational,
         elastic_at_start_J: start.elastic,
         movable_at_start_J: movable,
+        supplied_at_start_J: supplied,
         overlap_at_start: origin.overlap,
         grown_at,
         written: recorder.written()?,

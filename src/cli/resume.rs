@@ -225,7 +225,12 @@ fn memory(progress: &Progress) -> Memory {
         gravitational: progress.gravitational_at_start_J,
         elastic: progress.elastic_at_start_J,
     };
-    Memory { start, movable: progress.movable_at_start_J, grown_at: progress.grown_at }
+    Memory {
+        start,
+        movable: progress.movable_at_start_J,
+        supplied: progress.supplied_at_start_J,
+        grown_at: progress.grown_at,
+    }
 }
 
 fn say_where(scenario: &Scenario, progress: &Progress, file: &Path) {

@@ -204,7 +204,7 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
     let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
     let (dissipated, supplied) = match simulation.works() {
-        Some(works) => (Some(0.0 - works.dashpot.value()), works.supplied()),
+        Some(works) => (Some(works.dissipated()), works.supplied()),
         None => (None, 0.0),
     };
     Summary {

@@ -1,16 +1,19 @@
 //! A crowd as a simulation sees it: discs in id order, with their books.
 
+use std::mem::take;
+
 use glam::DVec2;
 
 use super::kept::{Resized, Since};
-use super::near::Listed;
+use super::near::Near;
 use super::{Crowd, LaneLaw};
-use crate::discs::{Discs, Kept, PlainDiscs, Remembered, Snapshot};
-use crate::force::{Contacts, Force, Tally, Walls};
+use crate::discs::columns::{Columns, ColumnsView};
+use crate::discs::{Discs, LeanSnapshot, Remembered, Snapshot};
+use crate::force::Force;
 use crate::integrator::Motion;
-use crate::neighbours::Neighbours;
 use crate::particle::Particle;
-use crate::work::{Works, kinetic_energy};
+use crate::simulation::PlainDiscs;
+use crate::work::{Channel, Works, kinetic_energy};
 
 impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     fn as_motion(&mut self) -> &mut dyn Motion {
@@ -22,7 +25,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
     }
 
     fn particles(&self) -> &[Particle] {
-        if self.ids.is_sorted() {
+        if self.columns.ids.is_sorted() {
             return &self.particles;
         }
         self.in_id_order.get_or_init(|| (0..self.count()).map(|id| *self.particle(id)).collect())
@@ -30,8 +33,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
 
     fn particle(&self, id: usize) -> &Particle {
         let places = self.places.get_or_init(|| {
-            let mut places = vec![0; self.ids.len()];
-            for (place, &id) in (0..).zip(&self.ids) {
+            let mut places = vec![0; self.columns.ids.len()];
+            for (place, &id) in (0..).zip(&self.columns.ids) {
                 places[id as usize] = place;
             }
             places
@@ -55,18 +58,22 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.energy_stored()
     }
 
-    fn tally(&self) -> &Tally {
-        &self.tally
+    fn set_dt(&mut self, dt: f64) {
+        self.dt = dt;
     }
 
-    fn works(&self) -> Option<&Works> {
-        self.works.as_ref()
+    fn has_ledger(&self) -> bool {
+        !self.columns.springs.is_empty()
+    }
+
+    fn works(&self) -> &Works {
+        &self.columns.works
     }
 
     fn keep_work_ledger(&mut self) {
         self.settle();
-        self.springs = vec![DVec2::ZERO; self.particles.len()];
-        self.works = Some(Works::default());
+        self.columns.springs = vec![DVec2::ZERO; self.particles.len()];
+        self.columns.works = Works::default();
         self.update_forces();
         self.settle();
     }
@@ -80,10 +87,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
             return;
         }
         let given = kinetic_energy(&after) - kinetic_energy(&before);
-        if let Some(works) = &mut self.works {
-            works.external.add(given);
-        }
-        for (disc, &id) in self.particles.iter_mut().zip(&self.ids) {
+        self.columns.works[Channel::Hand].work.add(given);
+        for (disc, &id) in self.particles.iter_mut().zip(&self.columns.ids) {
             let (was, is) = (&before[id as usize], after[id as usize]);
             self.resized.extend(Resized::between(id, was, &is));
             *disc = is;
@@ -92,55 +97,43 @@ impl<L: LaneLaw + Clone + Sync + 'static> Discs for Crowd<L> {
         self.update_forces();
         self.settle();
         let lifted = self.potential_energy() - potential;
-        if let Some(works) = &mut self.works {
-            works.by_hand.add(lifted);
-        }
+        self.columns.works[Channel::Hand].beside.add(lifted);
     }
 
-    fn with_force(mut self: Box<Self>, force: Box<dyn Force>) -> Box<dyn Discs> {
+    fn add_force(&mut self, force: Box<dyn Force>) -> Option<Box<dyn Discs>> {
         self.restore_id_order();
-        let Self { law, planes, gravity, particles, tally, works, .. } = *self;
-        let walls: Box<dyn Force> = Box::new(Walls { law: law.clone(), planes });
-        let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
-        let discs = PlainDiscs::new(particles, gravity, vec![walls, contacts]);
-        Box::new(discs.with_books(tally, works)).with_force(force)
+        let Self { law, planes, gravity, columns, .. } = self;
+        let books =
+            Columns { overlaps: columns.overlaps, works: columns.works, ..Columns::default() };
+        let (particles, planes) = (take(&mut self.particles), take(planes));
+        let mut discs = PlainDiscs::continued(particles, *gravity, law.clone(), planes, books);
+        discs.add_force(force);
+        Some(Box::new(discs))
     }
 
     fn remembered(&self) -> Remembered<'_> {
-        Remembered {
-            particles: &self.particles,
-            ids: &self.ids,
-            tally: &self.tally,
-            works: self.works.unwrap_or_default(),
-            stored_energy: 0.0,
-            springs: &self.springs,
-            listed_at: &self.near.listed_at,
-            skin: self.near.skin,
-            limit_squared: self.near.limit_squared,
-        }
+        let Near { listed_at, skin, limit_squared, .. } = &self.near;
+        let list = [*skin, *limit_squared];
+        let columns = ColumnsView { listed_at, list, ..self.columns.view() };
+        Remembered { particles: &self.particles, columns }
     }
 
     fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { particles, ids, tally, works, springs, .. } = snapshot;
-        self.particles.clone_from(particles);
-        self.ids.clone_from(ids);
-        self.springs.clone_from(springs);
-        self.tally = tally.clone();
-        self.works = (!springs.is_empty()).then_some(*works);
+        self.particles.clone_from(&snapshot.particles);
+        self.columns.copy_from(snapshot.columns.view(), &["listed_at"]);
         self.moves.clear();
         self.forces_are_wanted = false;
         self.in_id_order.take();
         self.places.take();
         self.since_forces = Since::Unknown;
-        let Self { particles, ids, planes, .. } = self;
-        self.near.restore(snapshot, Listed { particles, ids, planes }, &self.team);
+        self.restore_list(&snapshot.columns);
     }
 
-    fn keep(&self, kept: &mut Kept) {
+    fn keep(&self, kept: &mut LeanSnapshot) {
         self.keep_in(kept);
     }
 
-    fn go_back(&mut self, kept: &Kept) {
+    fn go_back(&mut self, kept: &LeanSnapshot) {
         self.go_back_to(kept);
     }
 

@@ -108,9 +108,12 @@ mod tests {
                 assert_eq!(found.map(bits), wanted.map(bits), "discs {a} and {b}");
             }
         }
-        assert!(in_lanes.tally.largest_pair_overlap > 1.0);
-        assert_eq!(in_lanes.tally.largest_pair_overlap, one_by_one.tally.largest_pair_overlap);
-        assert_eq!(in_lanes.tally.largest_sinking, one_by_one.tally.largest_sinking);
+        assert!(in_lanes.overlaps.largest_pair_overlap > 1.0);
+        assert_eq!(
+            in_lanes.overlaps.largest_pair_overlap,
+            one_by_one.overlaps.largest_pair_overlap
+        );
+        assert_eq!(in_lanes.overlaps.largest_sinking, one_by_one.overlaps.largest_sinking);
     }
 
     #[test]

@@ -8,7 +8,8 @@ use glam::DVec2;
 use super::motion::Move;
 use super::near::Listed;
 use super::{Crowd, LaneLaw};
-use crate::discs::{Discs, Kept, Snapshot};
+use crate::discs::columns::Columns;
+use crate::discs::{Discs, LeanSnapshot, Snapshot};
 use crate::particle::Particle;
 
 /// What the discs have done since the forces in them were added up.
@@ -50,24 +51,19 @@ impl Resized {
 }
 
 impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
-    pub(super) fn keep_in(&self, kept: &mut Kept) {
+    pub(super) fn keep_in(&self, kept: &mut LeanSnapshot) {
         let has_list = self.near.limit_squared >= 0.0;
         if self.since_forces == Since::Unknown || !has_list {
-            *kept = Kept::default(); // gone before the next is made
-            kept.snapshot = self.snapshot();
+            *kept = LeanSnapshot::default(); // gone before the next is made
+            kept.snapshot = self.remembered().copied();
             return;
         }
-        let Kept { snapshot, moving, forces, has_ledger, resized } = kept;
+        let LeanSnapshot { snapshot, moving, forces, has_ledger, resized } = kept;
         if moving.is_empty() {
             *snapshot = Snapshot::default(); // a whole one
         }
-        snapshot.ids.clone_from(&self.ids);
-        snapshot.listed_at.clone_from(&self.near.listed_at);
-        snapshot.skin = self.near.skin;
-        snapshot.limit_squared = self.near.limit_squared;
-        snapshot.tally = self.tally.clone();
-        snapshot.works = self.works.unwrap_or_default();
-        *has_ledger = self.works.is_some();
+        snapshot.columns.copy_from(self.remembered().columns, &["springs"]);
+        *has_ledger = self.has_ledger();
         *resized = self.resized.len();
         moving.clear();
         moving.extend(self.particles.iter().map(|p| [p.position, p.velocity]));
@@ -77,37 +73,43 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         }
     }
 
-    pub(super) fn go_back_to(&mut self, kept: &Kept) {
-        let Kept { snapshot, moving, forces, has_ledger, resized } = kept;
+    pub(super) fn go_back_to(&mut self, kept: &LeanSnapshot) {
+        let LeanSnapshot { snapshot, moving, forces, has_ledger, resized } = kept;
         if moving.is_empty() {
             return self.restore(snapshot);
         }
         self.moves.clear();
         self.forces_are_wanted = false;
-        self.store_as(&snapshot.ids);
+        self.store_as(&snapshot.columns.ids);
         self.undo_resizing(*resized);
         for (disc, [position, velocity]) in self.particles.iter_mut().zip(moving) {
             (disc.position, disc.velocity) = (*position, *velocity);
         }
-        self.works = has_ledger.then_some(snapshot.works);
-        self.springs.resize(if *has_ledger { self.ids.len() } else { 0 }, DVec2::ZERO);
-        let Self { particles, ids, planes, .. } = self;
-        self.near.restore(snapshot, Listed { particles, ids, planes }, &self.team);
+        self.columns.copy_from(snapshot.columns.view(), &["listed_at", "springs"]);
+        let n = if *has_ledger { self.particles.len() } else { 0 };
+        self.columns.springs.resize(n, DVec2::ZERO);
+        self.restore_list(&snapshot.columns);
         self.forces_are_wanted = true;
         self.settle();
         if !forces.is_empty() {
             self.particles.iter_mut().zip(forces).for_each(|(disc, force)| disc.force = *force);
             self.since_forces = Since::Kicked;
         }
-        self.tally = snapshot.tally.clone();
+        self.columns.overlaps = snapshot.columns.overlaps;
         self.in_id_order.take();
         self.places.take();
+    }
+
+    /// Goes back to the list that these columns remember.
+    pub(super) fn restore_list(&mut self, remembered: &Columns) {
+        let Self { particles, columns: Columns { ids, .. }, planes, .. } = self;
+        self.near.restore(remembered, Listed { particles, ids, planes }, &self.team);
     }
 
     /// Stores the discs in the order of `ids`.
     fn store_as(&mut self, ids: &[u32]) {
         let mut places = vec![0; ids.len()];
-        for (place, &id) in (0..).zip(&self.ids) {
+        for (place, &id) in (0..).zip(&self.columns.ids) {
             places[id as usize] = place;
         }
         let mut order: Vec<u32> = ids.iter().map(|&id| places[id as usize]).collect();
@@ -119,8 +121,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         if self.resized.len() <= kept {
             return;
         }
-        let mut places = vec![0; self.ids.len()];
-        for (place, &id) in self.ids.iter().enumerate() {
+        let mut places = vec![0; self.columns.ids.len()];
+        for (place, &id) in self.columns.ids.iter().enumerate() {
             places[id as usize] = place;
         }
         for Resized { id, radius, mass } in self.resized.drain(kept..).rev() {

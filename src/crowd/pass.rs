@@ -234,8 +234,7 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
             if let Some(contact) = Contact::with_wall(disc, distance, plane.normal) {
                 force -= self.law.push(&contact) * contact.normal;
                 spring -= self.law.spring(&contact) * contact.normal;
-                let wall = &mut largest.tally.largest_wall_overlap;
-                *wall = wall.max(contact.overlap / disc.radius);
+                largest.overlaps.note_wall(contact.overlap, disc.radius);
             }
         }
         [force, spring]

@@ -9,7 +9,7 @@ use crate::crowd::BLOCK;
 use crate::crowd::cells::Cells;
 use crate::crowd::sizes::Sizes;
 use crate::crowd::team::Team;
-use crate::discs::Snapshot;
+use crate::discs::columns::Columns;
 use crate::force::HalfPlane;
 use crate::particle::Particle;
 
@@ -41,12 +41,11 @@ impl Near {
         self.is_there = true;
     }
 
-    /// A list for discs to which `snapshot` goes back. They lie about where they were listed, so the skin
+    /// A list for discs that go back to what is `remembered`. They lie about where they were listed, so the skin
     /// is twice as wide; the next list is made at the same step as the first time.
-    pub fn restore(&mut self, snapshot: &Snapshot, listed: Listed, team: &Team) {
-        let Snapshot { listed_at, skin, limit_squared, .. } = snapshot;
-        self.skin = *skin;
-        self.limit_squared = *limit_squared;
+    pub fn restore(&mut self, remembered: &Columns, listed: Listed, team: &Team) {
+        let Columns { listed_at, list, .. } = remembered;
+        [self.skin, self.limit_squared] = *list;
         self.listed_at.clone_from(listed_at);
         self.list_anywhere(listed, team);
     }

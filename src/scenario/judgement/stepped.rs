@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use crate::force::{HalfPlane, Walls};
+use crate::force::HalfPlane;
 use crate::particle::Particle;
 use crate::scenario::Scenario;
 use crate::scenario::expected::ExpectedContact;
@@ -51,14 +51,8 @@ impl Scenario {
         let mut disc = Particle::at_rest(at, radius, reduced_mass);
         disc.velocity.y = -speed;
         let floor = HalfPlane { point: DVec2::ZERO, normal: DVec2::NEG_Y };
-        let walls = Walls { law: self.law(), planes: vec![floor] };
-        let mut run = Simulation::new(
-            vec![disc],
-            DVec2::ZERO,
-            vec![Box::new(walls)],
-            self.new_integrator(),
-            dt,
-        );
+        let (law, integrator) = (self.law(), self.new_integrator());
+        let mut run = Simulation::new(vec![disc], DVec2::ZERO, law, &[floor], integrator, dt);
         let is_apart = |run: &Simulation| run.particles()[0].position.y >= radius;
         while is_apart(&run) {
             run.step();

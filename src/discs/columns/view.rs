@@ -1,6 +1,7 @@
 //! An array that is gone through where its numbers lie, without a copy of them.
 
-use super::Array;
+use super::array::Array;
+use super::row::Row;
 
 /// What is shown some values at a time: counts, or the bits of numbers.
 type See<'a> = &'a mut dyn FnMut(&[u64]);
@@ -13,25 +14,18 @@ pub struct ArrayView<'a> {
 }
 
 impl<'a> ArrayView<'a> {
-    /// Numbers, as many in each row.
-    pub fn of_numbers<const N: usize>(
-        rows: impl ExactSizeIterator<Item = [f64; N]> + Clone + 'a,
-    ) -> Self {
+    /// The rows of a column.
+    pub fn of_rows<T: Row + 'a>(rows: impl ExactSizeIterator<Item = T> + Clone + 'a) -> Self {
         Self {
-            has_counts: false,
-            length: N * rows.len(),
+            has_counts: T::HAS_COUNTS,
+            length: T::WIDTH * rows.len(),
             each_row: Box::new(move |see| {
-                rows.clone().for_each(|row| see(&row.map(f64::to_bits)));
+                let mut words = vec![0; T::WIDTH];
+                for row in rows.clone() {
+                    row.put(&mut words);
+                    see(&words);
+                }
             }),
-        }
-    }
-
-    /// Counts.
-    pub fn of_counts(counts: impl ExactSizeIterator<Item = u64> + Clone + 'a) -> Self {
-        Self {
-            has_counts: true,
-            length: counts.len(),
-            each_row: Box::new(move |see| counts.clone().for_each(|count| see(&[count]))),
         }
     }
 
@@ -69,8 +63,8 @@ impl<'a> ArrayView<'a> {
 impl<'a> From<&'a Array> for ArrayView<'a> {
     fn from(array: &'a Array) -> Self {
         match array {
-            Array::Numbers(numbers) => Self::of_numbers(numbers.iter().map(|number| [*number])),
-            Array::Counts(counts) => Self::of_counts(counts.iter().copied()),
+            Array::Numbers(numbers) => Self::of_rows(numbers.iter().copied()),
+            Array::Counts(counts) => Self::of_rows(counts.iter().copied()),
         }
     }
 }
