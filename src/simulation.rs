@@ -81,11 +81,12 @@ impl<L: ContactLaw> Motion for PlainDiscs<L> {
         let Self { particles, gravity, forces, law, walls, neighbours, books } = self;
         books.begin_forces();
         for disc in particles.iter_mut() {
-            disc.force = disc.mass * *gravity;
+            disc.force = disc.mass * *gravity; // the weight, m g
         }
         for force in forces {
             books.add_force(force.as_mut(), particles);
         }
+        // f_c by Eq. (1), at walls: the normal points to the wall, so the push goes the other way.
         for (i, disc) in particles.iter_mut().enumerate() {
             for wall in walls.iter() {
                 let distance = wall.distance(disc.position);
@@ -96,6 +97,7 @@ impl<L: ContactLaw> Motion for PlainDiscs<L> {
                 }
             }
         }
+        // f_c by Eq. (1), between discs: on j what is on i, with the other sign.
         neighbours.refresh(particles);
         for (i, j) in neighbours.pairs() {
             if let Some(contact) = Contact::between(&particles[i], &particles[j]) {
