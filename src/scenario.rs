@@ -15,12 +15,14 @@ pub mod finding;
 pub mod framed;
 pub mod gravity;
 pub mod judgement;
+pub mod key;
+pub mod keys;
 mod malformed;
 pub mod memory;
 pub mod notes;
 mod number;
 mod offers;
-mod output_choices;
+mod output_plan;
 mod overlap;
 mod place;
 pub mod post_mortem;
@@ -42,10 +44,8 @@ use glam::DVec2;
 
 use self::error::ScenarioError;
 use self::framed::FramedDiscs;
-use self::gravity::Gravity;
-pub use self::output_choices::OutputChoices;
-use self::preset::Preset;
-use self::settings::{IntegratorName, PlacementName};
+pub use self::keys::{OutputChoices, Scenario};
+use self::settings::IntegratorName;
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
 use crate::analysis::stability::{self, Assembly, Limit, Species};
 use crate::crowd::{Crowd, WORTH_SHARING};
@@ -59,49 +59,6 @@ use crate::simulation::{Simulation, time_step};
 
 /// Fewer discs than this are stepped the plain way: nothing is gained by storing them by cell.
 const CROWD: usize = 100;
-
-/// Every choice of a run, checked. SI units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scenario {
-    /// The set of parameters the run started from.
-    pub preset: Preset,
-    /// Seed of all random numbers.
-    pub seed: u64,
-    /// Side of the box, m.
-    pub side: f64,
-    /// Radius of discs that do not say their own, m.
-    pub radius: f64,
-    /// Mass of discs that do not say their own, kg.
-    pub mass: f64,
-    /// Gravity, m/s2.
-    pub gravity: Gravity,
-    /// Normal stiffness k_n, N/m.
-    pub stiffness: f64,
-    /// Damping of contacts.
-    pub damping: DampingChoice,
-    /// Whether contacts may pull as they end.
-    pub tension: bool,
-    /// Whether the box has walls.
-    pub walls: bool,
-    /// How the time step is chosen.
-    pub step: StepChoice,
-    /// Who chose it.
-    pub dt_set_by: DtSetBy,
-    /// Simulated end time, s.
-    pub time: f64,
-    /// Time integrator.
-    pub integrator: IntegratorName,
-    /// Whether an unstable time step is run all the same.
-    pub allow_unstable: bool,
-    /// How random discs are placed.
-    pub placement: PlacementName,
-    /// Rms speed at the start of discs that do not say their own, m/s.
-    pub speed: f64,
-    /// Where the discs come from.
-    pub discs: DiscSource,
-    /// What is written, where and how often.
-    pub output: OutputChoices,
-}
 
 /// How contacts are damped, as said by the user.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -361,7 +318,7 @@ impl Scenario {
         }
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let usual = || if self.n() < WORTH_SHARING { 1 } else { cores() };
-        self.output.threads.unwrap_or_else(usual)
+        self.output.threads.map_or_else(usual, |threads| threads as usize)
     }
 }
 

@@ -71,7 +71,7 @@ fn plain(text: &str) -> Simulation {
 
 fn crowd(text: &str, threads: usize) -> Simulation {
     let mut start = Scenario::from_toml(text).unwrap();
-    start.output.threads = Some(threads);
+    start.output.threads = Some(threads as u64);
     start.assemble(discs(&start), true)
 }
 

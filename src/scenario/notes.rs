@@ -144,7 +144,7 @@ impl Scenario {
     }
 
     fn note_on_threads(&self) -> Option<String> {
-        let asked = self.output.threads.filter(|&threads| threads > self.threads())?;
+        let asked = self.output.threads.filter(|&threads| threads > self.threads() as u64)?;
         let n = self.n();
         Some(format!(
             "--threads {asked}: {n} discs run on one, sharing pays from some thousands on"

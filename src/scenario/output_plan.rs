@@ -1,33 +1,8 @@
-//! What a run writes, as said, and the plan that comes of it.
-
-use std::path::PathBuf;
+//! The plan of output that comes of what was said.
 
 use super::{DiscSource, Scenario};
 use crate::output::recorder::OutputPlan;
 use crate::output::{energy, trajectory};
-
-/// What is written, where and how often.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OutputChoices {
-    /// Folder of the output files.
-    pub folder: PathBuf,
-    /// Steps between frames, if said.
-    pub every: Option<u64>,
-    /// Steps between ledger lines, if said; 0 for none.
-    pub energy_every: Option<u64>,
-    /// Wall seconds for a simulated second, if said.
-    pub slowdown: Option<f64>,
-    /// Threads that share the steps, if said.
-    pub threads: Option<usize>,
-    /// Seconds of wall time between checkpoints, if said.
-    pub checkpoint_every: Option<f64>,
-    /// Whether `out.txt` has the guide's border discs.
-    pub border: bool,
-    /// Summary as JSON.
-    pub json: bool,
-    /// Nothing but errors.
-    pub quiet: bool,
-}
 
 impl Scenario {
     /// What to write where and how often, with the defaults filled in. The record is that of this
