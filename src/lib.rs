@@ -13,7 +13,7 @@
 //! Reading order, an hour in all: [`particle`] (a disc, a contact, Eq. (1)), [`simulation`] (the clock, Eq. (2)),
 //! [`integrator`] (Eq. (3) in sequence), [`discs`] ([`discs::PlainDiscs`]: m a = m g + sum f_c), [`force`] (the
 //! contact loop, walls). Then what they rest on ([`placement`], [`neighbours`], [`work`]), the fast way ([`crowd`]), what is read off a run
-//! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
+//! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]) and led to its end ([`session`]),
 //! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]) and told ([`sheet`]), how students'
 //! programs are built and run ([`workshop`]) and marked ([`marking`]), and the command line ([`cli`]). Arrows between them go
 //! one way; `tests/arrows.rs` guards them.
@@ -52,6 +52,7 @@ pub mod particle;
 pub mod placement;
 pub mod proof;
 pub mod scenario;
+pub mod session;
 pub mod sheet;
 pub mod simulation;
 pub mod work;

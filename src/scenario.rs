@@ -249,7 +249,7 @@ impl Scenario {
 
     /// What the stable limit depends on.
     pub(crate) fn assembly(&self) -> Assembly {
-        Assembly::of(&self.species(), self.walls.then_some(self.side))
+        Assembly::of(&self.species(), self.walled_side())
     }
 
     /// The time step, s. Eq. (2) takes the lightest disc's mass.
@@ -264,6 +264,11 @@ impl Scenario {
     /// Number of steps: `time / dt`, rounded.
     pub fn steps(&self) -> u64 {
         (self.time / self.dt()).round() as u64
+    }
+
+    /// Side of the box, m, if it has walls.
+    pub fn walled_side(&self) -> Option<f64> {
+        self.walls.then_some(self.side)
     }
 
     /// Gravity as a vector, m/s2.

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 24] = [
+const ARROWS: [(&str, &[&str]); 25] = [
     ("particle", &[]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
@@ -33,6 +33,7 @@ const ARROWS: [(&str, &[&str]); 24] = [
             "output",
         ],
     ),
+    ("session", &["simulation", "analysis", "output", "scenario"]),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
     ("page", &["analysis", "output", "figure", "scenario"]),
     ("echo", &[]),
@@ -46,6 +47,7 @@ const ARROWS: [(&str, &[&str]); 24] = [
         &[
             "echo",
             "scenario",
+            "session",
             "simulation",
             "analysis",
             "output",

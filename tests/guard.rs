@@ -54,7 +54,7 @@ fn the_first_bad_step_is_found_and_the_state_is_the_one_before() {
     for (integrator, ledger) in cases {
         let mut simulation = squeezed_pair(integrator(), ledger);
         let mut oracle = squeezed_pair(integrator(), ledger);
-        let mut guard = Guard::new(&simulation, None, false);
+        let mut guard = Guard::new(&simulation, None, Wrong::ALL.to_vec());
         let trouble = steps_until_trouble(&mut simulation, &mut guard);
         // All the energy at the start is elastic and can move the discs.
         let most = (1.0 + GROWTH) * trouble.energy_at_start;
@@ -93,14 +93,14 @@ fn a_disc_five_radii_deep_in_a_wall_is_named_with_the_wall() {
     // It sinks v sqrt(m/k) deep: 5 radii at 5 r / sqrt(m/k) = 0.0791 m/s.
     let just = BEYOND * RADIUS / (MASS / 1.0f64).sqrt();
     let mut deep = thrown(1.01 * just);
-    let mut guard = Guard::new(&deep, Some(0.04), false);
+    let mut guard = Guard::new(&deep, Some(0.04), Wrong::ALL.to_vec());
     let trouble = steps_until_trouble(&mut deep, &mut guard);
     assert_eq!((trouble.wrong, trouble.wall), (Wrong::BeyondWall, Some("lower")));
     assert_eq!(trouble.discs, [0]);
     // The first step beyond; a step moves it at most 1.01 just dt = 1.6e-3 r.
     assert!((BEYOND..BEYOND + 2e-3).contains(&trouble.overlap), "{trouble:?}");
     let mut shallow = thrown(0.99 * just);
-    let mut guard = Guard::new(&shallow, Some(0.04), false);
+    let mut guard = Guard::new(&shallow, Some(0.04), Wrong::ALL.to_vec());
     for _ in 0..40_000 {
         shallow.step();
         assert_eq!(guard.look(&mut shallow), None);
@@ -114,7 +114,7 @@ fn a_number_that_is_none_is_found_with_its_disc() {
     let forces = vec![contacts(law(ELASTIC))];
     let mut simulation =
         Simulation::new(discs, DVec2::ZERO, forces, Box::new(SymplecticEuler), 1e-6);
-    let mut guard = Guard::new(&simulation, None, false);
+    let mut guard = Guard::new(&simulation, None, Wrong::ALL.to_vec());
     assert_eq!(guard.look(&mut simulation), None);
     (0..10).for_each(|_| simulation.step());
     simulation.act(|discs| discs[3].velocity.x = f64::NAN);

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 use parsim2d::analysis::energy::{EnergyLedger, LedgerRow};
-use parsim2d::analysis::guard::{EVERY, Guard};
+use parsim2d::analysis::guard::{EVERY, Guard, Wrong};
 use parsim2d::force::{Force, Tally};
 use parsim2d::output::energy::{EnergyFile, HEADER, OLD_HEADER, read};
 use parsim2d::output::growing::Extent;
@@ -140,7 +140,7 @@ fn a_force_added_on_the_way_brings_its_energy_along() {
 fn the_guard_does_not_sound_for_energy_that_was_supplied() {
     let mut simulation = flying(DVec2::ZERO, vec![Box::new(Drag(-1e-3))]);
     let ledger = EnergyLedger::open(&mut simulation);
-    let mut guard = Guard::new(&simulation, None, false);
+    let mut guard = Guard::new(&simulation, None, Wrong::ALL.to_vec());
     for _ in 0..200 {
         (0..EVERY).for_each(|_| simulation.step());
         assert_eq!(guard.look(&mut simulation), None);

@@ -18,6 +18,19 @@ pub fn flags(way_out: &str) -> &str {
 }
 
 impl Scenario {
+    /// What the guard of a run looks for: of walls only where there are some, of discs that cross only where they are
+    /// not known to be soft.
+    pub fn watched(&self) -> Vec<Wrong> {
+        let mut watched = Wrong::ALL.to_vec();
+        let (is_soft, walls) = (self.is_soft(), self.walls);
+        watched.retain(|wrong| match wrong {
+            Wrong::Crossed => !is_soft,
+            Wrong::BeyondWall => walls,
+            Wrong::NotFinite | Wrong::EnergyGrown => true,
+        });
+        watched
+    }
+
     /// What is to be said of `trouble` in a run of this scenario, `stopped` by it or not.
     pub fn post_mortem(&self, trouble: &Trouble, stopped: bool) -> FailureReport {
         let cause = self.cause_of(trouble);
@@ -28,7 +41,7 @@ impl Scenario {
         FailureReport {
             version: env!("CARGO_PKG_VERSION"),
             seed: self.seed,
-            kind: kind(trouble.wrong),
+            kind: trouble.wrong.name(),
             what: what(trouble),
             step: trouble.step,
             time_s: trouble.time,
@@ -77,15 +90,6 @@ impl Scenario {
         );
         let finer = self.in_place_of_dt(format!("--nt {}", Num(round_up(4.0 * nt))));
         (sentence, vec![format!("{finer}{TO_SEE}")])
-    }
-}
-
-fn kind(wrong: Wrong) -> &'static str {
-    match wrong {
-        Wrong::NotFinite => "not-finite",
-        Wrong::Crossed => "crossed",
-        Wrong::BeyondWall => "beyond-wall",
-        Wrong::EnergyGrown => "energy-grown",
     }
 }
 

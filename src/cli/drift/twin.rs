@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::super::memory;
-use super::super::watch::progress_bar;
+use super::super::terminal::progress_bar;
 use super::{DriftArguments, words};
 use crate::analysis::twin::{Growth, SEPARATE, distances, separation_time};
 use crate::cli::Failure;

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use super::typed::quoted;
 use crate::analysis::guard::{Guard, Memory};
 use crate::output::OutputError;
 use crate::output::checkpoint::{self, Progress};
@@ -13,7 +12,7 @@ use crate::simulation::Simulation;
 
 /// What a run was begun with, as long as it goes on.
 #[derive(Clone, Debug)]
-pub(super) struct Origin {
+pub struct Origin {
     /// The command, word by word.
     pub command: Vec<String>,
     /// The largest overlap at the start over the (smaller) radius.
@@ -22,8 +21,8 @@ pub(super) struct Origin {
     pub resumed: Option<PathBuf>,
 }
 
-/// Keeps the checkpoints of one run.
-pub(super) struct Keeper {
+/// The checkpoints of one run.
+pub struct Checkpoints {
     folder: PathBuf,
     every: Option<Duration>,
     last_at: Instant,
@@ -32,7 +31,7 @@ pub(super) struct Keeper {
     has_complained: bool,
 }
 
-impl Keeper {
+impl Checkpoints {
     /// For a run of `scenario`; `last` is the step of the latest checkpoint in its folder, if it is one of
     /// this run.
     pub fn new(scenario: &Scenario, last: Option<u64>) -> Self {
@@ -86,19 +85,10 @@ impl Keeper {
         is_first.then(|| format!("{why}\n  the run goes on; {last}"))
     }
 
-    /// How to go on from the latest checkpoint, if there is one and nobody has taken it away.
-    pub fn way_back(&self) -> Option<String> {
-        let is_there = self.folder.join(checkpoint::FILE).is_file();
-        self.last
-            .filter(|_| is_there)
-            .map(|step| format!("to go on from step {step}: {}", self.command()))
-    }
-
-    /// The command that goes on.
-    fn command(&self) -> String {
+    /// The latest checkpoint and its step, if there is one and nobody has taken it away.
+    pub fn latest(&self) -> Option<(PathBuf, u64)> {
         let path = self.folder.join(checkpoint::FILE);
-        let path = path.strip_prefix(".").unwrap_or(&path);
-        format!("parsim2d resume {}", quoted(&path.to_string_lossy()))
+        self.last.filter(|_| path.is_file()).map(|step| (path, step))
     }
 
     /// Removes the checkpoints of a run that is done.

@@ -1,11 +1,16 @@
-//! A run on its way: steps, files that are due, the guard, the wall clock.
+//! A run on its way: steps, files that are due, the guard, checkpoints, the wall clock, and who looks on.
+//!
+//! It knows no command line and no terminal: whoever runs a session is told through an [`Onlooker`] how far it is, and
+//! stops it there.
+
+pub mod checkpoints;
+pub mod courses;
+pub mod pace;
 
 use std::time::Instant;
 
-use super::Failure;
-use super::keeper::{Keeper, Origin};
-use super::say::say;
-use super::watch::Watch;
+use self::checkpoints::{Checkpoints, Origin};
+use self::pace::Pace;
 use crate::analysis::guard::{EVERY, Guard, Memory};
 use crate::output::OutputError;
 use crate::output::failure::FailureReport;
@@ -13,22 +18,40 @@ use crate::output::recorder::Recorder;
 use crate::scenario::Scenario;
 use crate::simulation::Simulation;
 
-/// Everything that a run needs while it is under way.
-pub(super) struct Stepping<'a> {
+/// Who looks on while a session runs: a terminal, a page, nobody.
+pub trait Onlooker {
+    /// Whether the run is to stop here; asked some hundred times a second.
+    fn stops(&self) -> bool {
+        false
+    }
+
+    /// Sees the present state, as often.
+    fn see(&mut self, _simulation: &Simulation) {}
+
+    /// Hears of something that goes wrong and does not end the run.
+    fn hear(&mut self, _warning: &str) {}
+}
+
+/// Nobody: the run goes to its end.
+impl Onlooker for () {}
+
+/// A run under way, and what became of it.
+pub struct Session<'a> {
+    /// Its scenario.
     pub scenario: &'a Scenario,
-    pub simulation: Simulation,
+    /// What it was begun with.
+    pub origin: Origin,
+    simulation: Simulation,
     /// Steps at the end of the run.
     end: u64,
-    pub watch: Watch,
-    /// What went wrong, if something did.
-    pub failure: Option<FailureReport>,
-    pub origin: Origin,
-    pub keeper: Keeper,
+    pace: Pace,
+    failure: Option<FailureReport>,
+    checkpoints: Checkpoints,
     recorder: Recorder,
     guard: Guard,
 }
 
-impl<'a> Stepping<'a> {
+impl<'a> Session<'a> {
     /// A run of `scenario` about to begin, with its files created.
     pub fn begin(
         scenario: &'a Scenario,
@@ -36,7 +59,7 @@ impl<'a> Stepping<'a> {
         recorder: Recorder,
         origin: Origin,
     ) -> Self {
-        let guard = Guard::new(&simulation, side(scenario), scenario.is_soft());
+        let guard = Guard::new(&simulation, scenario.walled_side(), scenario.watched());
         Self::with(scenario, simulation, recorder, origin, guard, None)
     }
 
@@ -50,7 +73,8 @@ impl<'a> Stepping<'a> {
         memory: Memory,
         last: Option<u64>,
     ) -> Self {
-        let guard = Guard::continued(&simulation, side(scenario), scenario.is_soft(), memory);
+        let (side, watched) = (scenario.walled_side(), scenario.watched());
+        let guard = Guard::continued(&simulation, side, watched, memory);
         Self::with(scenario, simulation, recorder, origin, guard, last)
     }
 
@@ -62,12 +86,30 @@ impl<'a> Stepping<'a> {
         guard: Guard,
         last: Option<u64>,
     ) -> Self {
-        let output = &scenario.output;
-        let end = scenario.steps();
-        let mut watch = Watch::start(&simulation, end, output.slowdown, output.quiet);
-        watch.share_cores(scenario.threads());
-        let keeper = Keeper::new(scenario, last);
-        Self { scenario, simulation, end, watch, failure: None, origin, keeper, recorder, guard }
+        let pace = Pace::start(&simulation, scenario.output.slowdown, scenario.threads());
+        let checkpoints = Checkpoints::new(scenario, last);
+        let (end, failure) = (scenario.steps(), None);
+        Self { scenario, origin, simulation, end, pace, failure, checkpoints, recorder, guard }
+    }
+
+    /// The simulation as it is now.
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// The wall clock of this session.
+    pub fn pace(&self) -> &Pace {
+        &self.pace
+    }
+
+    /// What went wrong, if something did.
+    pub fn failure(&self) -> Option<&FailureReport> {
+        self.failure.as_ref()
+    }
+
+    /// The checkpoints of the run.
+    pub fn checkpoints(&self) -> &Checkpoints {
+        &self.checkpoints
     }
 
     /// Mechanical energy at the start of the run, J.
@@ -76,39 +118,43 @@ impl<'a> Stepping<'a> {
     }
 
     /// Keeps the end that was just given, before the first step to it: a run that is killed goes on to that end.
-    pub fn keep_end(&mut self) {
+    pub fn keep_end(&mut self, onlooker: &mut dyn Onlooker) {
         if !self.is_done() && self.is_good() {
             let kept = self.keep();
-            self.complain(kept);
+            self.complain(kept, onlooker);
         }
     }
 
-    /// Steps to the end, or until `stop` says so or something goes wrong; every file then has the
+    /// Steps to the end, or until the `onlooker` stops it or something goes wrong; every file then has the
     /// last good state, and there is a checkpoint if the run is to go on later.
-    pub fn go(&mut self, stop: impl Fn() -> bool + Copy) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Write`] of a file that could not be written.
+    pub fn run(&mut self, onlooker: &mut dyn Onlooker) -> Result<(), OutputError> {
         // Its checkpoint, if there is one, is all there is to prolong it from.
         let had_something_to_do = !self.is_done();
-        while !self.is_done() && !stop() {
+        while !self.is_done() && !onlooker.stops() {
             let due = self.recorder.next_due().min(self.end);
-            self.advance(self.watch.next_look(&self.simulation).min(due))?;
+            self.advance(self.pace.next_look(&self.simulation).min(due))?;
             if self.is_stopped() {
                 break;
             }
             if self.scenario.output.every.is_none() {
-                self.watch.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
+                self.pace.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
             }
-            if self.keeper.is_due() && self.is_good() {
+            if self.checkpoints.is_due() && self.is_good() {
                 let kept = self.keep();
-                self.complain(kept);
+                self.complain(kept, onlooker);
             }
-            self.watch.keep_pace(&self.simulation, stop);
+            onlooker.see(&self.simulation);
+            self.pace.keep(&self.simulation, || onlooker.stops());
         }
         // Before the files get their last state, which belongs to this end only.
         let kept = self.keep_last();
         self.recorder.finish(&self.simulation)?;
-        self.watch.finish();
-        if had_something_to_do && self.is_done() && !self.keeper.is_asked() {
-            self.keeper.remove_all()?;
+        if had_something_to_do && self.is_done() && !self.checkpoints.is_asked() {
+            self.checkpoints.remove_all()?;
         }
         kept
     }
@@ -119,13 +165,13 @@ impl<'a> Stepping<'a> {
     }
 
     /// Steps up to `until` at most, and writes what is due there.
-    fn advance(&mut self, until: u64) -> Result<(), Failure> {
+    fn advance(&mut self, until: u64) -> Result<(), OutputError> {
         let begun = Instant::now();
         self.step_until(until)?;
         if !self.is_stopped() {
             self.recorder.record_due(&self.simulation)?;
         }
-        self.watch.book_stepping(begun);
+        self.pace.book_stepping(begun);
         Ok(())
     }
 
@@ -136,8 +182,8 @@ impl<'a> Stepping<'a> {
 
     /// The checkpoint of an interrupted run, or of one that is done and shall be prolonged. Where the present
     /// state is not a good one, a few more steps may lead to one.
-    fn keep_last(&mut self) -> Result<(), Failure> {
-        if self.failure.is_some() || (self.is_done() && !self.keeper.is_asked()) {
+    fn keep_last(&mut self) -> Result<(), OutputError> {
+        if self.failure.is_some() || (self.is_done() && !self.checkpoints.is_asked()) {
             return Ok(());
         }
         let latest = self.simulation.steps() + 2 * EVERY;
@@ -147,28 +193,28 @@ impl<'a> Stepping<'a> {
                 return Ok(());
             }
         }
-        if self.is_good() { Ok(self.keep()?) } else { Ok(()) }
+        if self.is_good() { self.keep() } else { Ok(()) }
     }
 
     fn keep(&mut self) -> Result<(), OutputError> {
-        let Self { scenario, simulation, origin, keeper, recorder, guard, .. } = self;
-        keeper.keep(scenario, origin, simulation, guard, recorder)
+        let Self { scenario, simulation, origin, checkpoints, recorder, guard, .. } = self;
+        checkpoints.keep(scenario, origin, simulation, guard, recorder)
     }
 
     /// A checkpoint that fails on the way is no reason to lose the run.
-    fn complain(&mut self, kept: Result<(), OutputError>) {
-        if let Some(said) = kept.err().and_then(|why| self.keeper.complaint(&why)) {
-            say("warning", said);
+    fn complain(&mut self, kept: Result<(), OutputError>, onlooker: &mut dyn Onlooker) {
+        if let Some(said) = kept.err().and_then(|why| self.checkpoints.complaint(&why)) {
+            onlooker.hear(&said);
         }
     }
 
     /// Leaves `results` beside the scenario in the output folder.
-    pub fn record_results(&self, results: &[String]) -> Result<(), Failure> {
-        Ok(self.recorder.record_results(results)?)
+    pub fn record_results(&self, results: &[String]) -> Result<(), OutputError> {
+        self.recorder.record_results(results)
     }
 
     /// Steps up to `until` while the guard looks on.
-    fn step_until(&mut self, until: u64) -> Result<(), Failure> {
+    fn step_until(&mut self, until: u64) -> Result<(), OutputError> {
         while self.simulation.steps() < until && !self.is_stopped() {
             let look = self.guard.next_look(&self.simulation).min(self.end);
             self.simulation.step_until(look.min(until));
@@ -186,7 +232,7 @@ impl<'a> Stepping<'a> {
 
     /// Lets the guard look. What it finds is written at once; if the run is to go on all the same,
     /// it comes back to where it was.
-    fn look(&mut self) -> Result<(), Failure> {
+    fn look(&mut self) -> Result<(), OutputError> {
         if self.failure.is_some() {
             return Ok(()); // once is enough
         }
@@ -207,9 +253,4 @@ impl<'a> Stepping<'a> {
         }
         Ok(())
     }
-}
-
-/// Side of the box, m, if it has walls.
-fn side(scenario: &Scenario) -> Option<f64> {
-    scenario.walls.then_some(scenario.side)
 }

@@ -2,9 +2,6 @@
 
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-
-use crate::output::number::seconds;
 use crate::simulation::Simulation;
 
 /// At most so many refreshes of `out.txt` a second.
@@ -24,7 +21,7 @@ const PARTICLE_STEPS_PER_LOOK: u64 = 100_000;
 const FEWEST_STEPS_PER_LOOK: u64 = 8;
 
 /// The wall clock of a run.
-pub(super) struct Watch {
+pub struct Pace {
     started: Instant,
     next_refresh: Instant,
     /// Wall time that the last refresh took from the run, s.
@@ -37,11 +34,12 @@ pub(super) struct Watch {
     /// Wall seconds for a simulated second.
     slowdown: Option<f64>,
     steps_per_look: u64,
-    bar: ProgressBar,
 }
 
-impl Watch {
-    pub fn start(simulation: &Simulation, steps: u64, slowdown: Option<f64>, quiet: bool) -> Self {
+impl Pace {
+    /// The clock of a run that steps on so many `threads` from the present state of `simulation` on. Where the
+    /// machine has more cores, writing has one of its own.
+    pub fn start(simulation: &Simulation, slowdown: Option<f64>, threads: usize) -> Self {
         let mut steps_per_look =
             (PARTICLE_STEPS_PER_LOOK / simulation.n() as u64).max(FEWEST_STEPS_PER_LOOK);
         if let Some(slowdown) = slowdown {
@@ -50,25 +48,17 @@ impl Watch {
             steps_per_look = steps_per_look.min((per_look as u64).max(1));
         }
         let now = Instant::now();
-        let bar = progress_bar(steps, quiet).with_position(simulation.steps());
-        bar.reset_eta();
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
         Self {
             started: now,
             next_refresh: now,
             last_refresh: 0.0,
-            cores_are_shared: true,
+            cores_are_shared: cores <= threads,
             stepping: Duration::ZERO,
             from: (simulation.steps(), simulation.time()),
             slowdown,
             steps_per_look,
-            bar,
         }
-    }
-
-    /// The run steps on so many `threads`: where the machine has more cores, writing has one of its own.
-    pub fn share_cores(&mut self, threads: usize) {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        self.cores_are_shared = cores <= threads;
     }
 
     /// The step at which to look at the clock next.
@@ -105,11 +95,8 @@ impl Watch {
         Ok(())
     }
 
-    /// Shows how far the run is; waits, if it is to be slow, until wall time has caught up or
-    /// `interrupted` says stop.
-    pub fn keep_pace(&self, simulation: &Simulation, interrupted: impl Fn() -> bool) {
-        self.bar.set_position(simulation.steps());
-        self.bar.set_message(format!("t = {} s", seconds(simulation.time(), 4)));
+    /// Waits, if the run is to be slow, until wall time has caught up or `interrupted` says stop.
+    pub fn keep(&self, simulation: &Simulation, interrupted: impl Fn() -> bool) {
         let Some(slowdown) = self.slowdown else {
             return;
         };
@@ -121,11 +108,6 @@ impl Watch {
             }
             std::thread::sleep(Duration::from_secs_f64(ahead.min(0.05)));
         }
-    }
-
-    /// Takes the progress bar away.
-    pub fn finish(&self) {
-        self.bar.finish_and_clear();
     }
 
     /// Wall time since the start, s.
@@ -144,25 +126,6 @@ impl Watch {
     }
 }
 
-/// A bar on terminals only, drawn ten times a second.
-pub(super) fn progress_bar(steps: u64, hidden: bool) -> ProgressBar {
-    if hidden {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left")
-        .expect("a fixed, tested template");
-    ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr_with_hz(10))
-        .with_style(style)
-}
-
-/// Says, on terminals only, that a large box is being filled.
-pub(super) fn placing_spinner(quiet: bool) -> ProgressBar {
-    let spinner = if quiet { ProgressBar::hidden() } else { ProgressBar::new_spinner() };
-    spinner.set_message("placing the discs");
-    spinner.enable_steady_tick(Duration::from_millis(200));
-    spinner
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -171,60 +134,58 @@ mod tests {
 
     const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
-    fn watch() -> Watch {
+    fn pace(threads: usize) -> Pace {
         let scenario = Scenario::resolve(&Settings::default(), || 1).unwrap();
-        Watch::start(&scenario.build().unwrap(), 1, None, true)
+        Pace::start(&scenario.build().unwrap(), None, threads)
     }
 
     /// How long after the second of two refreshes that took `elsewhere` the next is due.
-    fn rest_after(watch: &mut Watch, elsewhere: Duration) -> Duration {
+    fn rest_after(pace: &mut Pace, elsewhere: Duration) -> Duration {
         for _ in 0..2 {
-            watch.next_refresh = Instant::now();
-            watch.refresh_if_due(|| Ok::<_, ()>(Some(elsewhere))).unwrap();
+            pace.next_refresh = Instant::now();
+            pace.refresh_if_due(|| Ok::<_, ()>(Some(elsewhere))).unwrap();
         }
-        watch.next_refresh.saturating_duration_since(Instant::now())
+        pace.next_refresh.saturating_duration_since(Instant::now())
     }
 
     #[test]
     fn another_thread_takes_a_twentieth_of_the_time_of_a_run_whose_cores_it_shares() {
-        let mut watch = watch();
+        let mut pace = pace(1);
         for (are_shared, least, most) in [(true, 19.0, 21.0), (false, 3.0, 5.0)] {
-            watch.cores_are_shared = are_shared;
+            pace.cores_are_shared = are_shared;
             // Twenty times a second, or a fifth of it; a second more or less, since machines stall.
-            let rest = rest_after(&mut watch, Duration::from_secs(1)).as_secs_f64();
+            let rest = rest_after(&mut pace, Duration::from_secs(1)).as_secs_f64();
             assert!((least..most).contains(&rest), "shared: {are_shared}, {rest} s");
         }
-        watch.share_cores(usize::MAX);
-        assert!(watch.cores_are_shared);
-        watch.share_cores(0);
-        assert!(!watch.cores_are_shared);
+        assert!(self::pace(usize::MAX).cores_are_shared);
+        assert!(!self::pace(0).cores_are_shared);
     }
 
     #[test]
     fn a_refresh_that_was_late_does_not_put_off_the_next() {
-        let mut watch = watch();
-        watch.cores_are_shared = false;
+        let mut pace = pace(1);
+        pace.cores_are_shared = false;
         let due = Instant::now().checked_sub(FRAME / 2).unwrap();
-        watch.next_refresh = due;
-        watch.refresh_if_due(|| Ok::<_, ()>(Some(Duration::ZERO))).unwrap();
+        pace.next_refresh = due;
+        pace.refresh_if_due(|| Ok::<_, ()>(Some(Duration::ZERO))).unwrap();
         // To a microsecond: a frame is no whole number of nanoseconds. Where the test itself was held up it
         // is later, never earlier.
-        assert!(watch.next_refresh >= due + FRAME - Duration::from_micros(1));
-        assert!(watch.next_refresh <= (due + FRAME + Duration::from_micros(1)).max(Instant::now()));
+        assert!(pace.next_refresh >= due + FRAME - Duration::from_micros(1));
+        assert!(pace.next_refresh <= (due + FRAME + Duration::from_micros(1)).max(Instant::now()));
     }
 
     #[test]
     fn a_refresh_that_found_the_writer_busy_is_due_again_at_once() {
-        let mut watch = watch();
+        let mut pace = pace(1);
         let mut calls = 0;
         for answer in [None, None, Some(Duration::ZERO), Some(Duration::ZERO)] {
             let refresh = || {
                 calls += 1;
                 Ok::<_, ()>(answer)
             };
-            watch.refresh_if_due(refresh).unwrap();
+            pace.refresh_if_due(refresh).unwrap();
             if answer.is_some() {
-                watch.next_refresh = Instant::now() + Duration::from_secs(60);
+                pace.next_refresh = Instant::now() + Duration::from_secs(60);
             }
         }
         assert_eq!(calls, 3, "twice busy, once written; then it rests");
