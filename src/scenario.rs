@@ -47,6 +47,7 @@ use self::framed::FramedDiscs;
 pub use self::keys::{OutputChoices, Scenario};
 use self::settings::IntegratorName;
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
+use crate::analysis::linear::{Linear, linear};
 use crate::analysis::stability::{self, Assembly, Limit, Species};
 use crate::crowd::{Crowd, WORTH_SHARING};
 use crate::discs::{Discs, PlainDiscs};
@@ -217,6 +218,12 @@ impl Scenario {
         }
     }
 
+    /// The spring and dashpot that the contact law is for small changes of a contact of this reduced mass (kg): all
+    /// that closed forms and the diagnosis know of it.
+    pub fn linear(&self, reduced_mass: f64) -> Linear {
+        linear(&self.law(), self.radius, reduced_mass)
+    }
+
     /// When a contact ends under this scenario's law.
     pub fn contact_end(&self) -> ContactEnd {
         if self.tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero }
@@ -255,10 +262,21 @@ impl Scenario {
     /// The time step, s. Eq. (2) takes the lightest disc's mass.
     pub fn dt(&self) -> f64 {
         match self.step {
-            StepChoice::Nt(nt) => time_step(self.mass_range().0, self.stiffness, nt),
+            StepChoice::Nt(nt) => self.eq_2(nt),
             StepChoice::Seconds(dt) => dt,
             StepChoice::Auto => stability::AUTO * self.limit().dt,
         }
+    }
+
+    /// Eq. (2): the time step of this N_t, s.
+    fn eq_2(&self, nt: f64) -> f64 {
+        let (lightest, _) = self.mass_range();
+        time_step(lightest, self.linear(lightest).stiffness, nt)
+    }
+
+    /// N_t of the time step, whoever set it.
+    pub fn steps_per_contact(&self) -> f64 {
+        self.eq_2(1.0) / self.dt()
     }
 
     /// Number of steps: `time / dt`, rounded.

@@ -26,7 +26,6 @@ use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement, post_mortem};
 use crate::session::Session;
 use crate::session::checkpoints::{Checkpoints, Origin};
-use crate::simulation::time_step;
 
 #[derive(Args, Clone)]
 pub(super) struct RunArguments {
@@ -209,7 +208,6 @@ fn summary(scenario: &Scenario, session: &Session) -> Summary {
     let start = session.energy_at_start();
     let n = simulation.n();
     let particle_steps = n as f64 * pace.steps(simulation) as f64;
-    let (lightest, _) = scenario.mass_range();
     let end = MechanicalEnergy::of(simulation).total();
     let (dissipated, supplied) = match simulation.works() {
         Some(works) => (Some(0.0 - works.dashpot.value()), works.supplied()),
@@ -223,7 +221,7 @@ fn summary(scenario: &Scenario, session: &Session) -> Summary {
         integrator: scenario.integrator.name(),
         dt_s: simulation.dt(),
         dt_set_by: scenario.dt_set_by.name(),
-        steps_per_contact: time_step(lightest, scenario.stiffness, 1.0) / simulation.dt(),
+        steps_per_contact: scenario.steps_per_contact(),
         steps: simulation.steps(),
         time_s: simulation.time(),
         wall_s: pace.wall_time(),

@@ -6,7 +6,6 @@ use super::number::{Num, round_up};
 use super::suspects::IN_PLACE_OF_DT;
 use crate::analysis::guard::{Trouble, Wrong};
 use crate::output::failure::FailureReport;
-use crate::simulation::time_step;
 
 /// What is said behind a finer step that may help.
 const TO_SEE: &str = " to see whether a finer step helps";
@@ -81,7 +80,7 @@ impl Scenario {
 
     /// What to say where the diagnosis had nothing against the run: a finer step may help.
     fn without_cause(&self, trouble: &Trouble) -> (String, Vec<String>) {
-        let nt = time_step(self.mass_range().0, self.stiffness, 1.0) / self.dt();
+        let nt = self.steps_per_contact();
         let travel = trouble.speed * self.dt() / self.radius_range().0;
         let sentence = format!(
             "the diagnosis found nothing against this run beforehand (`parsim2d check`); the disc \

@@ -237,7 +237,7 @@ impl Study {
         let shorter = if case == Case::Wall { 1.0 } else { SQRT_2 };
         let nt = shorter * ((nt / shorter).floor() + 0.5);
         let scenarios = (0..PHASES).map(|phase| {
-            let Scenario { radius, mass, stiffness, .. } = self.boxes[0];
+            let Scenario { radius, mass, .. } = self.boxes[0];
             let side = 100.0 * radius;
             let mut scenario = Scenario {
                 side,
@@ -249,6 +249,7 @@ impl Study {
                 ..self.boxes[0].clone()
             };
             let reduced_mass = if case == Case::Wall { mass } else { 0.5 * mass };
+            let stiffness = self.boxes[0].linear(reduced_mass).stiffness;
             let speed = DEPTH * radius * angular_frequency(stiffness, reduced_mass);
             let gap = f64::from(phase) / f64::from(PHASES) * speed * scenario.dt();
             let disc = |x: f64, y: f64, velocity: DVec2| {

@@ -43,8 +43,7 @@ impl Scenario {
     /// Speed after over speed before of one contact that begins `phase` of a step after a step: of a disc
     /// of the reduced mass with a wall, for the law sees no more of a pair. 0 if it does not end.
     fn stepped_contact(&self, contact: &ExpectedContact, phase: f64) -> f64 {
-        let omega = contact.angular_frequency;
-        let reduced_mass = self.stiffness / (omega * omega);
+        let ExpectedContact { reduced_mass, angular_frequency: omega, .. } = *contact;
         let (radius, dt) = (1.0, self.dt()); // m: nothing hangs on it, nor on the speed
         let speed = 0.1 * radius * omega;
         let at = DVec2::new(0.0, radius + phase * speed * dt);
