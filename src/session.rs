@@ -44,48 +44,37 @@ pub struct Session<'a> {
     simulation: Simulation,
     /// Steps at the end of the run.
     end: u64,
-    pace: Pace,
-    failure: Option<FailureReport>,
-    checkpoints: Checkpoints,
-    recorder: Recorder,
+    /// Its wall clock.
+    pub pace: Pace,
+    /// What went wrong, if something did.
+    pub failure: Option<FailureReport>,
+    /// Its checkpoints.
+    pub checkpoints: Checkpoints,
+    /// Its files, if it leaves any.
+    recorder: Option<Recorder>,
     guard: Guard,
 }
 
 impl<'a> Session<'a> {
-    /// A run of `scenario` about to begin, with its files created.
-    pub fn begin(
-        scenario: &'a Scenario,
-        simulation: Simulation,
-        recorder: Recorder,
-        origin: Origin,
-    ) -> Self {
-        let guard = Guard::new(&simulation, scenario.walled_side(), scenario.watched());
-        Self::with(scenario, simulation, recorder, origin, guard, None)
+    /// A run of `scenario` that leaves no files, from the present state of `simulation` on.
+    pub fn without_files(scenario: &'a Scenario, simulation: Simulation) -> Self {
+        Self::new(scenario, simulation, None, Origin::default(), None)
     }
 
-    /// A run about to go on from a checkpoint, with the `memory` of its guard. `last` is the step of the
-    /// latest checkpoint in its folder, if it is one of this run.
-    pub fn resume(
+    /// A run of `scenario` about to begin, with its files created; or about to go on from a checkpoint, with its `past`:
+    /// what its guard remembers, and the step of the latest checkpoint in its folder, if that is one of this run.
+    pub fn new(
         scenario: &'a Scenario,
         simulation: Simulation,
-        recorder: Recorder,
+        recorder: Option<Recorder>,
         origin: Origin,
-        memory: Memory,
-        last: Option<u64>,
+        past: Option<(Memory, Option<u64>)>,
     ) -> Self {
         let (side, watched) = (scenario.walled_side(), scenario.watched());
-        let guard = Guard::continued(&simulation, side, watched, memory);
-        Self::with(scenario, simulation, recorder, origin, guard, last)
-    }
-
-    fn with(
-        scenario: &'a Scenario,
-        simulation: Simulation,
-        recorder: Recorder,
-        origin: Origin,
-        guard: Guard,
-        last: Option<u64>,
-    ) -> Self {
+        let (guard, last) = match past {
+            Some((memory, last)) => (Guard::continued(&simulation, side, watched, memory), last),
+            None => (Guard::new(&simulation, side, watched), None),
+        };
         let pace = Pace::start(&simulation, scenario.output.slowdown, scenario.threads());
         let checkpoints = Checkpoints::new(scenario, last);
         let (end, failure) = (scenario.steps(), None);
@@ -95,21 +84,6 @@ impl<'a> Session<'a> {
     /// The simulation as it is now.
     pub fn simulation(&self) -> &Simulation {
         &self.simulation
-    }
-
-    /// The wall clock of this session.
-    pub fn pace(&self) -> &Pace {
-        &self.pace
-    }
-
-    /// What went wrong, if something did.
-    pub fn failure(&self) -> Option<&FailureReport> {
-        self.failure.as_ref()
-    }
-
-    /// The checkpoints of the run.
-    pub fn checkpoints(&self) -> &Checkpoints {
-        &self.checkpoints
     }
 
     /// Mechanical energy at the start of the run, J.
@@ -135,13 +109,13 @@ impl<'a> Session<'a> {
         // Its checkpoint, if there is one, is all there is to prolong it from.
         let had_something_to_do = !self.is_done();
         while !self.is_done() && !onlooker.stops() {
-            let due = self.recorder.next_due().min(self.end);
+            let due = self.recorder.as_ref().map_or(self.end, Recorder::next_due).min(self.end);
             self.advance(self.pace.next_look(&self.simulation).min(due))?;
             if self.is_stopped() {
                 break;
             }
-            if self.scenario.output.every.is_none() {
-                self.pace.refresh_if_due(|| self.recorder.refresh_live(&self.simulation))?;
+            if let (None, Some(recorder)) = (self.scenario.output.every, &mut self.recorder) {
+                self.pace.refresh_if_due(|| recorder.refresh_live(&self.simulation))?;
             }
             if self.checkpoints.is_due() && self.is_good() {
                 let kept = self.keep();
@@ -152,7 +126,8 @@ impl<'a> Session<'a> {
         }
         // Before the files get their last state, which belongs to this end only.
         let kept = self.keep_last();
-        self.recorder.finish(&self.simulation)?;
+        let Some(recorder) = &mut self.recorder else { return kept };
+        recorder.finish(&self.simulation)?;
         if had_something_to_do && self.is_done() && !self.checkpoints.is_asked() {
             self.checkpoints.remove_all()?;
         }
@@ -168,8 +143,8 @@ impl<'a> Session<'a> {
     fn advance(&mut self, until: u64) -> Result<(), OutputError> {
         let begun = Instant::now();
         self.step_until(until)?;
-        if !self.is_stopped() {
-            self.recorder.record_due(&self.simulation)?;
+        if let (false, Some(recorder)) = (self.is_stopped(), &mut self.recorder) {
+            recorder.record_due(&self.simulation)?;
         }
         self.pace.book_stepping(begun);
         Ok(())
@@ -183,7 +158,8 @@ impl<'a> Session<'a> {
     /// The checkpoint of an interrupted run, or of one that is done and shall be prolonged. Where the present
     /// state is not a good one, a few more steps may lead to one.
     fn keep_last(&mut self) -> Result<(), OutputError> {
-        if self.failure.is_some() || (self.is_done() && !self.checkpoints.is_asked()) {
+        let is_over = self.is_done() && !self.checkpoints.is_asked();
+        if self.failure.is_some() || is_over || self.recorder.is_none() {
             return Ok(());
         }
         let latest = self.simulation.steps() + 2 * EVERY;
@@ -198,6 +174,7 @@ impl<'a> Session<'a> {
 
     fn keep(&mut self) -> Result<(), OutputError> {
         let Self { scenario, simulation, origin, checkpoints, recorder, guard, .. } = self;
+        let Some(recorder) = recorder else { return Ok(()) };
         checkpoints.keep(scenario, origin, simulation, guard, recorder)
     }
 
@@ -210,7 +187,7 @@ impl<'a> Session<'a> {
 
     /// Leaves `results` beside the scenario in the output folder.
     pub fn record_results(&self, results: &[String]) -> Result<(), OutputError> {
-        self.recorder.record_results(results)
+        self.recorder.as_ref().map_or(Ok(()), |recorder| recorder.record_results(results))
     }
 
     /// Steps up to `until` while the guard looks on.
@@ -244,12 +221,15 @@ impl<'a> Session<'a> {
         let Some(trouble) = found else { return Ok(()) };
         let goes_on = self.scenario.allow_unstable;
         let report = self.scenario.post_mortem(&trouble, !goes_on);
-        report.write(&self.scenario.output.folder)?;
+        if let Some(recorder) = &mut self.recorder {
+            report.write(&self.scenario.output.folder)?;
+            if !goes_on {
+                recorder.cut_back_to(self.simulation.steps())?; // what was written since is of no use
+            }
+        }
         self.failure = Some(report);
-        match goes_on {
-            true => self.simulation.step_until(seen_at),
-            // What was written since then is of no use.
-            false => self.recorder.cut_back_to(self.simulation.steps())?,
+        if goes_on {
+            self.simulation.step_until(seen_at);
         }
         Ok(())
     }

@@ -55,6 +55,7 @@ mod restart_refused;
 mod restart_ways_out;
 mod same_bits;
 mod scenarios;
+mod session;
 mod sheet_recipes;
 mod sheets;
 mod stability;

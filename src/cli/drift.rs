@@ -18,7 +18,8 @@ use super::plot::{Target, plot_drift};
 use super::terminal::progress_bar;
 use crate::output::drift::{self as files, CurveRow, DriftRow};
 use crate::scenario::quantity::{Length, Mass, Number, Quantity, Stiffness, Time, whole_number};
-use crate::scenario::study::{Study, StudyRun, StudySettings};
+use crate::scenario::settings::Settings;
+use crate::scenario::study::{Study, StudyRun};
 use crate::session::courses::courses;
 
 pub(super) const EXAMPLES: &str = "\
@@ -76,17 +77,22 @@ pub(super) struct DriftArguments {
 }
 
 impl DriftArguments {
-    fn settings(&self) -> StudySettings {
-        StudySettings {
+    /// What was said, but for N_t.
+    fn settings(&self) -> Settings {
+        Settings {
             n: self.n,
             seed: self.seed,
             radius: self.radius,
             mass: self.mass,
             kn: self.kn,
             time: self.time,
-            restitution: self.restitution.map(|e| e.si),
-            nt: self.nt.iter().map(|nt| nt.si).collect(),
+            restitution: self.restitution,
+            ..Settings::default()
         }
+    }
+
+    fn nt(&self) -> Vec<f64> {
+        self.nt.iter().map(|nt| nt.si).collect()
     }
 }
 
@@ -102,7 +108,7 @@ pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
     if arguments.twin {
         return twin::run(arguments);
     }
-    let study = Study::new(&arguments.settings())?;
+    let study = Study::new(&arguments.settings(), &arguments.nt())?;
     let folder = &arguments.out_dir;
     files::probe(folder, &["drift.csv", "drift_energy.csv", "drift.svg", "drift.gp"])?;
     let runs = study.runs();

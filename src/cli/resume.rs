@@ -146,8 +146,8 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     // Only the latest checkpoint of the folder may become the previous one.
     let is_latest = file.file_name().is_some_and(|name| name == checkpoint::FILE);
     let last = (is_latest && arguments.out_dir.is_none()).then_some(progress.step);
-    let mut session =
-        Session::resume(&scenario, simulation, recorder, origin, memory(progress), last);
+    let past = Some((memory(progress), last));
+    let mut session = Session::new(&scenario, simulation, Some(recorder), origin, past);
     if has_new_end {
         session.keep_end(&mut Terminal::of(&session, &interrupt));
     }

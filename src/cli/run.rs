@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let overlap = simulation.largest_overlap();
     let command = typed::words_with(seed_was_drawn.then_some(scenario.seed));
     let origin = Origin { command, overlap, resumed: None };
-    conclude(Session::begin(&scenario, simulation, recorder, origin), &interrupt)
+    conclude(Session::new(&scenario, simulation, Some(recorder), origin, None), &interrupt)
 }
 
 /// Steps to the end and reports.
@@ -75,7 +75,7 @@ pub(super) fn conclude(mut session: Session, interrupt: &Interrupt) -> Result<Ex
     let done = session.run(&mut terminal);
     drop(terminal);
     if let Err(failure) = done {
-        if let Some(way_back) = way_back(session.checkpoints()) {
+        if let Some(way_back) = way_back(&session.checkpoints) {
             let when = match &failure {
                 OutputError::Write { source, .. } if !wants_room(source) => {
                     "once it can be written"
@@ -94,7 +94,7 @@ pub(super) fn conclude(mut session: Session, interrupt: &Interrupt) -> Result<Ex
         Err(error) if is_unheard(&error) => {}
         done => done?,
     }
-    match session.failure() {
+    match &session.failure {
         Some(failure) if failure.stopped => {
             let again = session.origin.resumed.as_deref().map(|path| new_run(path, failure));
             return Err(Failure::WentWrong { report: Box::new(failure.clone()), again });
@@ -105,7 +105,7 @@ pub(super) fn conclude(mut session: Session, interrupt: &Interrupt) -> Result<Ex
     if session.is_done() {
         return Ok(ExitCode::SUCCESS);
     }
-    let way_back = way_back(session.checkpoints());
+    let way_back = way_back(&session.checkpoints);
     let way_back = way_back.unwrap_or("no good state was left to go on from".to_owned());
     say(scenario, &format!("interrupted; {way_back}"));
     Ok(ExitCode::from(130))
@@ -204,7 +204,8 @@ fn say_notes(scenario: &Scenario, notes: &[String], seed_was_drawn: bool) {
 }
 
 fn summary(scenario: &Scenario, session: &Session) -> Summary {
-    let (simulation, pace, failure) = (session.simulation(), session.pace(), session.failure());
+    let Session { pace, failure, .. } = session;
+    let simulation = session.simulation();
     let start = session.energy_at_start();
     let n = simulation.n();
     let particle_steps = n as f64 * pace.steps(simulation) as f64;
@@ -236,8 +237,8 @@ fn summary(scenario: &Scenario, session: &Session) -> Summary {
         max_overlap_over_r: simulation.largest_overlap(),
         state_hash: format!("{:016x}", simulation.state_hash()),
         interrupted: simulation.steps() < scenario.steps() && !session.is_stopped(),
-        went_wrong: failure.map(|failure| failure.kind),
-        went_wrong_at_step: failure.map(|failure| failure.step),
+        went_wrong: failure.as_ref().map(|failure| failure.kind),
+        went_wrong_at_step: failure.as_ref().map(|failure| failure.step),
         answer: answer::of(scenario),
     }
 }

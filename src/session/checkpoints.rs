@@ -11,7 +11,7 @@ use crate::scenario::Scenario;
 use crate::simulation::Simulation;
 
 /// What a run was begun with, as long as it goes on.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Origin {
     /// The command, word by word.
     pub command: Vec<String>,

@@ -105,7 +105,7 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
-    let scenario = twin_box(&arguments.settings())?;
+    let scenario = twin_box(&arguments.settings(), &arguments.nt())?;
     memory::check(&scenario)?;
     let path = arguments.out_dir.join("twin.csv");
     files::probe(&arguments.out_dir, &["twin.csv"])?;
