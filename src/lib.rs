@@ -14,8 +14,8 @@
 //! [`integrator`] (Eq. (3) in sequence), [`discs`] ([`discs::PlainDiscs`]: m a = m g + sum f_c), [`force`] (the
 //! contact loop, walls). Then what they rest on ([`placement`], [`neighbours`], [`work`]), the fast way ([`crowd`]), what is read off a run
 //! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
-//! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]) and told ([`sheet`]), how students'
-//! programs are built and run ([`workshop`]) and marked ([`marking`]), and the command line ([`cli`]). Arrows between them go
+//! the report of a run ([`page`]), how students' programs are built, run, judged and told of it
+//! ([`grading`]), and the command line ([`cli`]). Arrows between them go
 //! one way; `tests/arrows.rs` guards them.
 //!
 //! SI units and f64 throughout.
@@ -42,17 +42,13 @@ pub mod discs;
 pub mod echo;
 pub mod figure;
 pub mod force;
-pub mod grade;
+pub mod grading;
 pub mod integrator;
-pub mod marking;
 pub mod neighbours;
 pub mod output;
 pub mod page;
 pub mod particle;
 pub mod placement;
-pub mod proof;
 pub mod scenario;
-pub mod sheet;
 pub mod simulation;
 pub mod work;
-pub mod workshop;
