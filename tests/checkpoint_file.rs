@@ -6,7 +6,7 @@
 use parsim2d::output::checkpoint::container::{self, Content, Flaw, Section};
 use parsim2d::output::checkpoint::{self, Checkpoint, Progress};
 use parsim2d::output::growing::Extent;
-use parsim2d::output::recorder::continued::Written;
+use parsim2d::output::written::Written;
 use parsim2d::scenario::Scenario;
 use parsim2d::scenario::settings::Settings;
 use parsim2d::simulation::State;

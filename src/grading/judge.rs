@@ -29,15 +29,18 @@ pub mod near;
 pub mod overdamped;
 pub mod passing;
 pub mod picture;
+pub mod put_right;
 pub mod replay;
 pub mod restitution;
 pub mod rubric;
 pub mod running;
+pub mod spot;
 pub mod springs;
 pub mod stiffness;
 pub mod stuck;
 pub mod touching;
 pub mod verdict;
+pub mod wall;
 pub mod words;
 
 use self::bounce::Bounce;

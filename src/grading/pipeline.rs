@@ -5,6 +5,7 @@
 //! these), `interface` (unit tests).
 
 mod flags;
+mod grader;
 mod interface;
 pub mod program;
 mod quality;
@@ -15,32 +16,20 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use self::flags::Flags;
+pub use self::grader::Grader;
 use self::interface::interface;
-use self::program::Course;
 use self::quality::{sanitizer, warnings};
-use self::runs::{Ended, ended, newly_written, prints_frames};
+use self::runs::{Ended, ended, footage, newly_written, prints_frames};
 use crate::grading::feedback::Graded;
 use crate::grading::judge::check::Check;
 use crate::grading::judge::film::Film;
-use crate::grading::judge::frames::Footage;
 use crate::grading::judge::mistake::Mistake;
 use crate::grading::judge::rubric::Rubric;
 use crate::grading::judge::rubric::program::Program;
 use crate::grading::judge::verdict::{Failure, Report, Status};
 use crate::grading::judge::words::Note;
 use crate::grading::judge::{add_film, add_many};
-use crate::grading::sandbox::{
-    self, Limits, Outcome, Run, Sandbox, SandboxError, Submission, Workspace,
-};
-
-/// Marks submissions of one course in one sandbox.
-#[derive(Clone, Copy)]
-pub struct Grader<'a> {
-    /// Where submissions are built and run.
-    pub sandbox: &'a Sandbox,
-    /// What the course asks for.
-    pub course: &'a Course,
-}
+use crate::grading::sandbox::{Limits, Outcome, Run, SandboxError, Workspace};
 
 impl Grader<'_> {
     /// Marks the submission in `folder`, and tells `seen` of the sheet so far whenever a check has ended.
@@ -115,13 +104,6 @@ impl Grader<'_> {
             graded.report.decide(Check::Sanitizer, || verdict);
         }
         Ok(())
-    }
-
-    /// Copies and builds by this command.
-    fn prepare(&self, folder: &Path, build: &[String]) -> Result<Workspace<'_>, SandboxError> {
-        let files = self.course.program().files.iter().map(PathBuf::from).collect();
-        let submission = Submission { folder: folder.to_owned(), files, build: build.to_vec() };
-        self.sandbox.prepare(&submission, &self.course.limits())
     }
 
     fn builds(&self, workspace: &Workspace) -> Status {
@@ -280,12 +262,4 @@ fn archives(folder: &Path) -> Vec<String> {
     let mut archives: Vec<String> = names.filter(is_archive).collect();
     archives.sort();
     archives
-}
-
-fn footage(captured: &sandbox::Captured) -> Footage<'_> {
-    match captured {
-        sandbox::Captured::Snapshots(all) => Footage::Snapshots(all),
-        sandbox::Captured::File(bytes) => Footage::File(bytes),
-        sandbox::Captured::Nothing => Footage::Nothing,
-    }
 }

@@ -22,7 +22,7 @@ use self::container::{FORMAT, Flaw};
 pub use self::write::{sections, write};
 use super::OutputError;
 use super::place::plain_file;
-use super::recorder::continued::Written;
+use super::written::Written;
 use crate::echo;
 use crate::simulation::state::Array;
 

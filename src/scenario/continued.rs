@@ -9,7 +9,7 @@ use super::framed::FramedDiscs;
 use super::settings::Settings;
 use super::{DiscSource, Scenario, file};
 use crate::output::recorder::OutputPlan;
-use crate::output::recorder::continued::Written;
+use crate::output::written::Written;
 use crate::particle::Particle;
 use crate::simulation::state::Array;
 use crate::simulation::state::view::ArrayView;

@@ -3,6 +3,7 @@
 
 #[cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub mod handed_in;
+pub mod imports;
 pub mod plotting;
 pub mod runs;
 pub mod scripts;

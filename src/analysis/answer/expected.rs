@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::Question;
+use super::question::Question;
 use crate::analysis::bounce::{Bounce, Touch};
 use crate::analysis::collision::ContactEnd;
 use crate::particle::Particle;

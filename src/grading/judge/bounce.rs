@@ -4,9 +4,9 @@ use glam::DVec2;
 
 use super::film::Film;
 use super::flight::{Flights, Run};
-use super::near::{WALLS, Wall};
 use super::rubric::Rubric;
 use super::verdict::{Failure, Status, Verdict};
+use super::wall::{WALLS, Wall};
 use super::words::{Finding, Quantity};
 
 /// A bounce; speeds in m a frame.

@@ -5,9 +5,9 @@ use glam::DVec2;
 use super::film::Film;
 use super::flight::{Flights, median};
 use super::mistake::Mistake;
-use super::near::{WALLS, Wall};
 use super::rubric::{Law, Rubric};
 use super::verdict::{Failure, Status, Verdict};
+use super::wall::{WALLS, Wall};
 use super::words::{Finding, Quantity};
 
 /// The same discs in every frame, in the same order, with finite numbers.

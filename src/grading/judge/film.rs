@@ -5,15 +5,7 @@ use glam::DVec2;
 use super::digits::Digits;
 use super::misread::Misread;
 use super::rubric::Rubric;
-
-/// A disc in a frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
-    /// Centre, m.
-    pub position: DVec2,
-    /// Radius, m.
-    pub radius: f64,
-}
+use super::spot::Spot;
 
 /// Frames in which a film that is fine enough shows discs that are not fast yet.
 const EARLY: usize = 10;

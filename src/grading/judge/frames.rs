@@ -9,12 +9,14 @@
 use glam::DVec2;
 
 use super::columns::named;
-use super::film::{Film, Spot};
+use super::film::Film;
 use super::headings::{Block, Headings};
 use super::lines::{COLUMNS, Reader, is_ended};
-use super::misread::{self, Misread};
+use super::misread::Misread;
 use super::mistake::Mistake;
+use super::put_right;
 use super::rubric::Rubric;
+use super::spot::Spot;
 use super::verdict::Failure;
 use super::words::{ENGLISH, Finding, Quantity};
 
@@ -61,12 +63,12 @@ pub fn read(footage: Footage, rubric: &Rubric) -> Result<Film, Failure> {
     let named = footage.first().and_then(|bytes| named(&String::from_utf8_lossy(bytes)));
     let usual = read_columns(footage, rubric, USUAL);
     // A slip in a heading is none in the rows below it.
-    let is_right = usual.as_ref().is_ok_and(|(film, _)| misread::has_radii_asked(film, rubric));
+    let is_right = usual.as_ref().is_ok_and(|(film, _)| put_right::has_radii_asked(film, rubric));
     if let Some(columns) = named.filter(|&columns| columns != USUAL && !is_right) {
         return read_columns(footage, rubric, columns).map(|(film, _)| film);
     }
     let (mut film, sample) = usual?;
-    match misread::columns(&sample, rubric) {
+    match put_right::columns(&sample, rubric) {
         Some(columns) => {
             let (mut film, _) = read_columns(footage, rubric, columns)?;
             film.misread = Some(Misread::Columns(columns));

@@ -5,8 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use super::film::Spot;
 use super::lines::{Kind, Line, Other, Passage};
+use super::spot::Spot;
 
 /// A frame while it is read.
 #[derive(Clone, Debug, Default)]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::digits::Tally;
-use super::film::Spot;
+use super::spot::Spot;
 
 /// Columns that are looked at when their order is in doubt.
 pub const COLUMNS: usize = 8;

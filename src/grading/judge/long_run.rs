@@ -6,7 +6,9 @@
 //! t_f = sqrt(2 H / g), H the way from ceiling to floor, and in meetings; in frames t_f = sqrt(2 H / c).
 
 mod gas;
+mod scales;
 
+use self::scales::Scales;
 use super::collision::Collision;
 use super::film::Film;
 use super::flight::{Flights, median};
@@ -49,16 +51,6 @@ pub fn verdict(
         return gas::verdict(film, (flights, collisions), rubric, &scales);
     }
     heap(film, rubric, &scales)
-}
-
-/// The scales of a box with gravity.
-struct Scales {
-    /// Time of a fall from ceiling to floor, frames.
-    fall: f64,
-    /// Speed at its end, m a frame.
-    speed: f64,
-    /// Its way, m.
-    way: f64,
 }
 
 /// Discs that lose speed: at rest at the bottom in the last quarter, if that begins late enough.

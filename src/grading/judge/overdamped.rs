@@ -14,10 +14,11 @@ use glam::DVec2;
 use super::bounce::{self, Bounce};
 use super::check::Check;
 use super::collision::{self, Collision};
-use super::film::{Film, Spot};
+use super::film::Film;
 use super::flight::{Flights, median};
 use super::mistake::Mistake;
 use super::rubric::{Law, PrintedEta, Rubric};
+use super::spot::Spot;
 use super::verdict::{Report, Status};
 use super::words::Note;
 

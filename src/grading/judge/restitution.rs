@@ -8,11 +8,11 @@ use super::collision::Collision;
 use super::delay::delay;
 use super::flight::Flights;
 use super::mistake::Mistake;
-use super::near::Wall;
 use super::replay::Replay;
 use super::rubric::{Law, PrintedEta, Rubric};
 use super::stuck::Stuck;
 use super::verdict::{Failure, Status, Verdict};
+use super::wall::Wall;
 use super::words::{Finding, Quantity};
 
 /// Below it discs do not part: no damping of the course's kind comes near it.

@@ -10,9 +10,9 @@ use glam::DVec2;
 use super::film::Film;
 use super::flight::{Flights, median};
 use super::mistake::Mistake;
-use super::near::WALLS;
 use super::rubric::{Law, Rubric};
 use super::verdict::Failure;
+use super::wall::WALLS;
 use super::words::{Finding, Quantity};
 
 /// The stiffness of one kind of contact.

@@ -10,8 +10,9 @@ use std::ops::Range;
 
 use super::film::Film;
 use super::flight::{Flights, Run};
-use super::near::{Near, WALLS};
+use super::near::Near;
 use super::rubric::Rubric;
+use super::wall::WALLS;
 
 /// Frames in which they stay together, after those in which the contact comes about.
 const STAYS: usize = 2;

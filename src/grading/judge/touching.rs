@@ -10,10 +10,10 @@ use super::collision::Collision;
 use super::film::Film;
 use super::flight::{Flights, median};
 use super::mistake::Mistake;
-use super::near::{WALLS, Wall};
 use super::rubric::{Law, Rubric};
 use super::stiffness::Stiffness;
 use super::verdict::Failure;
+use super::wall::{WALLS, Wall};
 use super::words::{Finding, Quantity};
 use crate::analysis::collision::{ContactEnd, damping_ratio_for, scaled_duration};
 

@@ -11,8 +11,8 @@ use serde_json::{Value, json};
 use super::check::Check;
 use super::film::Film;
 use super::mistake::Mistake;
-use super::near::Wall;
 use super::rubric::Rubric;
+use super::wall::Wall;
 use super::words::{Finding, Note, Quantity, Words};
 
 /// A failure: where it is seen, by which numbers, what it looks like.

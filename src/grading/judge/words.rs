@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::check::Check;
 use super::mistake::Mistake;
-use super::near::Wall;
+use super::wall::Wall;
 
 pub use self::english::ENGLISH;
 

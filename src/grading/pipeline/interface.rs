@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Grader;
+use super::grader::Grader;
 use crate::grading::judge::interface::verdict;
 use crate::grading::judge::verdict::{Failure, Status};
 use crate::grading::sandbox::{Invocation, Outcome, SandboxError};

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use super::Grader;
 use super::flags::Flags;
+use super::grader::Grader;
 use crate::grading::judge::verdict::{Failure, Status};
 use crate::grading::sandbox::{Build, Limits, SandboxError, Workspace};
 

@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::footage;
-use crate::grading::judge::frames::count;
+use crate::grading::judge::frames::{Footage, count};
 use crate::grading::judge::rubric::Rubric;
 use crate::grading::judge::verdict::Failure;
 use crate::grading::sandbox::{Captured, Outcome, Run};
@@ -105,4 +104,13 @@ pub(super) fn newly_written(folder: &Path, before: &[PathBuf]) -> Vec<PathBuf> {
         holds && !before.contains(path)
     };
     entries.filter_map(Result::ok).map(|entry| entry.path()).filter(is_new).collect()
+}
+
+/// What was captured, as the judge takes it.
+pub(super) fn footage(captured: &Captured) -> Footage<'_> {
+    match captured {
+        Captured::Snapshots(all) => Footage::Snapshots(all),
+        Captured::File(bytes) => Footage::File(bytes),
+        Captured::Nothing => Footage::Nothing,
+    }
 }

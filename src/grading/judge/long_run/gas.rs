@@ -15,7 +15,7 @@ use super::super::mistake::Mistake;
 use super::super::rubric::Rubric;
 use super::super::verdict::{Failure, Status, Verdict};
 use super::super::words::{Finding, Quantity};
-use super::Scales;
+use super::scales::Scales;
 
 /// Meetings of each disc, and fall times, before the first frame that is used, and from one to the next.
 const BEFORE: (usize, f64) = (3, 10.0);

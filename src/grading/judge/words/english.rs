@@ -3,7 +3,7 @@
 use super::{CheckWords, Finding, FindingWords, MistakeWords, Note, Quantity, Words};
 use crate::grading::judge::check::Check;
 use crate::grading::judge::mistake::Mistake;
-use crate::grading::judge::near::Wall;
+use crate::grading::judge::wall::Wall;
 
 /// English.
 pub const ENGLISH: Words = Words {
