@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use super::document::{Paper, document, section, wide};
+use maud::{Markup, PreEscaped, html};
+
+use super::document::{Paper, document, paragraph};
 use super::number::percent;
 use super::plain::one_line;
 use super::student::legend;
@@ -12,7 +14,7 @@ use super::words::Words;
 use super::{Entry, Graded, VERSION};
 use crate::figure::svg::{Anchor, Area, Svg};
 use crate::grading::judge::check::Check;
-use crate::page::html::escaped;
+use crate::page::html::{section, wide};
 
 /// One self-contained page. `files` are the names of the students' pages beside it, in the order of the
 /// entries; none for no links.
@@ -23,58 +25,66 @@ pub fn html_of_class(entries: &[Entry], files: &[String], words: &Words) -> Stri
     if let Some(median) = median(entries) {
         let _ = write!(line, "; {middle}: {}", percent(median));
     }
-    let bins = bins(&distribution(entries));
-    let caption = escaped(words.distribution_caption);
-    let figure =
-        format!("<figure class=\"bins\">\n{bins}<figcaption>{caption}</figcaption>\n</figure>\n");
-    let mut body =
-        format!("<h1>{}</h1>\n<p class=\"sum\">{}</p>\n", escaped(words.class), escaped(&line));
-    body += &rows(entries, files, words);
-    body += &legend(words);
-    body += &ungraded(entries, words);
-    body += &section(words.mistakes, &taught_again(entries, words));
-    body += &section(words.distribution, &figure);
-    let _ = writeln!(body, "<p class=\"legend\">parsim2d {VERSION}</p>");
+    let body = html! {
+        h1 { (words.class) }
+        (paragraph("sum", &line))
+        (rows(entries, files, words))
+        (legend(words))
+        (ungraded(entries, words))
+        (section(words.mistakes, &taught_again(entries, words)))
+        (section(words.distribution, &html! {
+            figure.bins {
+                (PreEscaped(bins(&distribution(entries))))
+                figcaption { (words.distribution_caption) }
+            }
+        }))
+        (paragraph("legend", &format!("parsim2d {VERSION}")))
+    };
     document(words.grade.code, words.class, Paper::Across, &body)
 }
 
-fn rows(entries: &[Entry], files: &[String], words: &Words) -> String {
+fn rows(entries: &[Entry], files: &[String], words: &Words) -> Markup {
     let checks = checks(entries);
-    let [whose, part, looks_like] = words.class_head.map(escaped);
-    let mut html = format!("<table>\n<thead><tr><th class=\"left\">{whose}</th><th>{part}</th>");
-    for check in &checks {
-        let _ = write!(html, "<th class=\"up\"><span>{}</span></th>", check.id());
-    }
-    let _ = writeln!(html, "<th class=\"left\">{looks_like}</th></tr></thead>\n<tbody>");
-    for (k, entry) in entries.iter().enumerate() {
-        if let Ok(graded) = entry {
-            html += &row(graded, files.get(k), &checks, words);
+    let [whose, part, looks_like] = words.class_head;
+    wide(&html! {
+        table {
+            thead {
+                tr {
+                    th.left { (whose) }
+                    th { (part) }
+                    @for check in &checks { th.up { span { (check.id()) } } }
+                    th.left { (looks_like) }
+                }
+            }
+            tbody {
+                @for (k, entry) in entries.iter().enumerate() {
+                    @if let Ok(graded) = entry { (row(graded, files.get(k), &checks, words)) }
+                }
+            }
         }
-    }
-    wide(&(html + "</tbody>\n</table>\n"))
+    })
 }
 
-fn row(graded: &Graded, file: Option<&String>, checks: &[Check], words: &Words) -> String {
-    let name = escaped(&one_line(&graded.name));
-    let name = match file {
-        Some(file) => format!("<a href=\"{}.html\">{name}</a>", address(file)),
-        None => name,
-    };
-    let part = percent(graded.report.percent());
-    let mut html =
-        format!("<tr><td class=\"left name\">{name}</td><td class=\"number\">{part}</td>");
-    for check in checks {
-        let Some(status) = graded.report.status(*check) else {
-            html += "<td></td>";
-            continue;
-        };
-        let face = face(&graded.report, *check, status);
-        let said = escaped(&format!("{}: {}", check.id(), (words.face)(face)));
-        let (class, sign) = (face.id(), face.sign());
-        let _ = write!(html, "<td class=\"{class}\" title=\"{said}\">{sign}</td>");
+fn row(graded: &Graded, file: Option<&String>, checks: &[Check], words: &Words) -> Markup {
+    let name = one_line(&graded.name);
+    html! {
+        tr {
+            td.left.name {
+                @if let Some(file) = file { a href={ (address(file)) ".html" } { (name) } }
+                @else { (name) }
+            }
+            td.number { (percent(graded.report.percent())) }
+            @for check in checks {
+                @if let Some(status) = graded.report.status(*check) {
+                    @let face = face(&graded.report, *check, status);
+                    td class=(face.id()) title={ (check.id()) ": " ((words.face)(face)) } { (face.sign()) }
+                } @else {
+                    td {}
+                }
+            }
+            td.left { (causes(graded).join(", ")) }
+        }
     }
-    let _ = writeln!(html, "<td class=\"left\">{}</td></tr>", escaped(&causes(graded).join(", ")));
-    html
 }
 
 /// A name of a file as part of an address.
@@ -93,44 +103,47 @@ fn address(file: &str) -> String {
     address
 }
 
-fn ungraded(entries: &[Entry], words: &Words) -> String {
-    let rows: String = entries
-        .iter()
-        .filter_map(|entry| entry.as_ref().err())
-        .map(|ungraded| {
-            let [name, why] = [&ungraded.name, &ungraded.why].map(|text| escaped(&one_line(text)));
-            format!("<p><strong>{name}</strong>: {why}</p>\n")
-        })
-        .collect();
-    if rows.is_empty() { rows } else { section(words.ungraded, &rows) }
+fn ungraded(entries: &[Entry], words: &Words) -> Markup {
+    let all: Vec<_> = entries.iter().filter_map(|entry| entry.as_ref().err()).collect();
+    html! {
+        @if !all.is_empty() {
+            (section(words.ungraded, &html! {
+                @for ungraded in all {
+                    p { strong { (one_line(&ungraded.name)) } ": " (one_line(&ungraded.why)) }
+                }
+            }))
+        }
+    }
 }
 
-fn taught_again(entries: &[Entry], words: &Words) -> String {
+fn taught_again(entries: &[Entry], words: &Words) -> Markup {
     let all = mistakes(entries);
     if all.is_empty() {
-        return format!("<p>{}</p>\n", escaped(words.no_mistakes));
+        return html! { p { (words.no_mistakes) } };
     }
-    let [what, count, check] = words.mistakes_head.map(escaped);
-    let mut html = format!(
-        "<table>\n<thead><tr><th class=\"left\">{what}</th><th>{count}</th><th class=\"left\">{check}</th></tr></thead>\n<tbody>\n"
-    );
+    let [what, count, check] = words.mistakes_head;
     let students = graded(entries).count();
-    for (mistake, checks, count) in all {
-        let what = match mistake {
-            Some(mistake) => {
-                format!("{} [{}]", (words.grade.mistake)(mistake).looks_like, mistake.id())
+    let [of, ..] = words.grade.points;
+    wide(&html! {
+        table {
+            thead { tr { th.left { (what) } th { (count) } th.left { (check) } } }
+            tbody {
+                @for (mistake, checks, count) in all {
+                    tr {
+                        td.left {
+                            @if let Some(mistake) = mistake {
+                                ((words.grade.mistake)(mistake).looks_like) " [" (mistake.id()) "]"
+                            } @else {
+                                (words.unknown_mistake)
+                            }
+                        }
+                        td { (count) " " (of) " " (students) }
+                        td.left { (checks.into_iter().map(Check::id).collect::<Vec<_>>().join(", ")) }
+                    }
+                }
             }
-            None => words.unknown_mistake.to_owned(),
-        };
-        let checks: Vec<&str> = checks.into_iter().map(Check::id).collect();
-        let [what, checks] = [what, checks.join(", ")].map(|text| escaped(&text));
-        let [of, ..] = words.grade.points;
-        let _ = writeln!(
-            html,
-            "<tr><td class=\"left\">{what}</td><td>{count} {of} {students}</td><td class=\"left\">{checks}</td></tr>"
-        );
-    }
-    wide(&(html + "</tbody>\n</table>\n"))
+        }
+    })
 }
 
 /// A bar for each ten per cent, with its count.

@@ -1,6 +1,8 @@
 //! The page around a sheet: one file, nothing from elsewhere, no script, fit for A4.
 
-use crate::page::html::escaped;
+use maud::{Markup, html};
+
+use crate::page::html::Page;
 
 /// How a page lies on paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,46 +13,20 @@ pub enum Paper {
     Across,
 }
 
-/// A whole page in `language` (a code such as `en`). `body` is HTML, `title` is text.
-///
-/// A browser is told to load nothing and to run nothing, should something slip through.
-pub fn document(language: &str, title: &str, paper: Paper, body: &str) -> String {
-    let title = escaped(title);
+/// A whole page in `language` (a code such as `en`).
+pub fn document(language: &str, title: &str, paper: Paper, body: &Markup) -> String {
     let (size, width) = match paper {
         Paper::Upright => ("A4", "50rem"),
         Paper::Across => ("A4 landscape", "75rem"),
     };
-    format!(
-        "<!doctype html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n<style>\n\
-         @page {{ size: {size}; margin: 14mm; }}\nbody {{ max-width: {width}; }}\n{STYLE}</style>\n\
-         </head>\n<body>\n{body}</body>\n</html>\n"
-    )
+    let style =
+        format!("@page {{ size: {size}; margin: 14mm; }}\nbody {{ max-width: {width}; }}\n{STYLE}");
+    Page { language, title, class: "sheet", style: &style, has_script: false }.around(body)
 }
 
-/// A heading and what is below it.
-pub fn section(heading: &str, html: &str) -> String {
-    format!("<section>\n<h2>{}</h2>\n{html}</section>\n", escaped(heading))
-}
-
-/// A table that may be wider than the page: it is moved to a side, and no word of it is cut.
-pub fn wide(table: &str) -> String {
-    format!("<div class=\"wide\">\n{table}</div>\n")
-}
-
-/// Text of a tool.
-pub fn printed(text: &str) -> String {
-    format!("<pre>{}</pre>\n", escaped(text))
-}
-
-/// An SVG picture within a page, number `k` of it.
-pub fn picture(k: usize, svg: &str, caption: &str) -> String {
-    // Names within one SVG count for the whole page.
-    let svg = svg
-        .replace("id=\"clip", &format!("id=\"picture{k}-clip"))
-        .replace("url(#clip", &format!("url(#picture{k}-clip"));
-    format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escaped(caption))
+/// A paragraph of a class.
+pub fn paragraph(class: &str, text: &str) -> Markup {
+    html! { p class=(class) { (text) } }
 }
 
 const STYLE: &str = "\

@@ -3,6 +3,8 @@
 
 use std::fmt::Write;
 
+use maud::html;
+
 use super::number::percent;
 use super::plain::one_line;
 use super::text::{all, found, tier};
@@ -11,7 +13,6 @@ use super::{Entry, Graded, VERSION};
 use crate::grading::judge::check::Check;
 use crate::grading::judge::rubric::Visibility;
 use crate::grading::judge::verdict::Status;
-use crate::page::html::escaped;
 
 /// A suite for each submission, a case for each check; one that could not be graded is an error.
 pub fn junit(entries: &[Entry], words: &Words) -> String {
@@ -80,4 +81,9 @@ fn case(graded: &Graded, check: Check, status: &Status, suite: &str, words: &Wor
     };
     // Frames are judged together: no check has a time of its own.
     format!("<testcase name=\"{title}\" classname=\"{suite}\" time=\"0\">{inside}</testcase>\n")
+}
+
+/// Text as XML has it, in an attribute or between tags.
+fn escaped(text: &str) -> String {
+    html! { (text) }.into_string()
 }

@@ -1,9 +1,9 @@
 //! The sheet to hand back: a student's points, check by check.
 
-use std::fmt::Write;
+use maud::{Markup, html};
 
 use super::Graded;
-use super::document::{Paper, document, picture, printed, section};
+use super::document::{Paper, document, paragraph};
 use super::number::{percent, points};
 use super::plain::{beginning, one_line, plain};
 use super::text::{
@@ -14,7 +14,7 @@ use super::words::{Face, Words};
 use crate::grading::judge::check::Check;
 use crate::grading::judge::rubric::Rubric;
 use crate::grading::judge::verdict::{Failure, Status};
-use crate::page::html::{escaped, list};
+use crate::page::html::{figure, list, section};
 
 /// The longest log of a page, bytes.
 const LONGEST_LOG: usize = 16_384;
@@ -22,41 +22,34 @@ const LONGEST_LOG: usize = 16_384;
 /// One self-contained page. Checks that the rubric hides are counted and not shown.
 pub fn html_of_student(graded: &Graded, words: &Words) -> String {
     let title = format!("{} {}", words.sheet, one_line(&graded.name));
-    let checks: String =
-        graded.shown(false).map(|(check, status)| article(graded, *check, status, words)).collect();
-    let hidden = graded.report.checks.len() - graded.shown(false).count();
-    let hidden = match hidden {
-        0 => String::new(),
-        count => format!("<p>{} {count}</p>\n", escaped(words.hidden)),
-    };
-    let mut body = head(graded, &title, words);
     let notes = notes(&graded.report, words);
-    if !notes.is_empty() {
-        let notes: String =
-            notes.iter().map(|note| format!("<p>{}</p>\n", escaped(note))).collect();
-        body += &section(words.notes, &notes);
-    }
-    body += &section(words.checks, &(checks + &hidden));
-    body += &log(graded, words);
-    body += &section(words.how, &list(&how(graded, words)));
-    body += &section(words.rubric, &list(&measures(graded.report.rubric(), words)));
+    let hidden = graded.report.checks.len() - graded.shown(false).count();
+    let body = html! {
+        (head(graded, &title, words))
+        @if !notes.is_empty() {
+            (section(words.notes, &html! { @for note in &notes { p { (note) } } }))
+        }
+        (section(words.checks, &html! {
+            @for (check, status) in graded.shown(false) { (article(graded, *check, status, words)) }
+            @if hidden > 0 { p { (words.hidden) " " (hidden) } }
+        }))
+        (log(graded, words))
+        (section(words.how, &list(&how(graded, words))))
+        (section(words.rubric, &list(&measures(graded.report.rubric(), words))))
+    };
     document(words.grade.code, &title, Paper::Upright, &body)
 }
 
-fn head(graded: &Graded, title: &str, words: &Words) -> String {
-    let part = percent(graded.report.percent());
-    let mut html = format!(
-        "<h1>{}</h1>\n<p class=\"sum\">{}</p>\n<div class=\"bar\"><span style=\"width:{part}%\"></span></div>\n",
-        escaped(title),
-        escaped(&sum(&graded.report, words)),
-    );
-    if graded.is_partial {
-        let _ = writeln!(html, "<p class=\"partial\">{}</p>", escaped(words.partial));
+fn head(graded: &Graded, title: &str, words: &Words) -> Markup {
+    html! {
+        h1 { (title) }
+        p.sum { (sum(&graded.report, words)) }
+        div.bar { span style={ "width:" (percent(graded.report.percent())) "%" } {} }
+        @if graded.is_partial { (paragraph("partial", words.partial)) }
     }
-    html
 }
 
-fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> String {
+fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Markup {
     let report = &graded.report;
     let face = face(report, check, status);
     let title = (words.grade.check)(check).title;
@@ -69,7 +62,7 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Str
         false => (words.face)(face).to_owned(),
     };
     let inside = match status {
-        Status::Passed => String::new(),
+        Status::Passed => html! {},
         Status::NotSeen if is_untold(report, check) => paragraph("kind", words.not_told),
         Status::NotSeen if is_without_tests(report, check) => paragraph("kind", words.no_interface),
         Status::NotSeen | Status::Masked => paragraph("kind", (words.kindly)(face)),
@@ -82,67 +75,60 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Str
         }
         Status::Failed(failure) => explained(graded, check, failure, words),
     };
-    format!(
-        "<article class=\"check {}\" id=\"{}\">\n<h3><span class=\"sign\" title=\"{said}\">{}</span>\
-         <span class=\"title\">{}</span><span class=\"points\">{}</span></h3>\n{inside}</article>\n",
-        face.id(),
-        check.id(),
-        face.sign(),
-        escaped(title),
-        escaped(&score),
-        said = escaped((words.face)(face)),
-    )
+    html! {
+        article class={ "check " (face.id()) } id=(check.id()) {
+            h3 {
+                span.sign title=((words.face)(face)) { (face.sign()) }
+                span.title { (title) }
+                span.points { (score) }
+            }
+            (inside)
+        }
+    }
 }
 
-fn paragraph(class: &str, text: &str) -> String {
-    format!("<p class=\"{class}\">{}</p>\n", escaped(text))
-}
-
-fn explained(graded: &Graded, check: Check, failure: &Failure, words: &Words) -> String {
+fn explained(graded: &Graded, check: Check, failure: &Failure, words: &Words) -> Markup {
     let table = words.grade;
-    let mut html = named(words.found, &found(failure, words));
     let numbers: Vec<_> =
         numbers(failure, words).map(|(name, value)| (name.to_owned(), value)).collect();
-    if !numbers.is_empty() {
-        html += &list(&numbers);
-    }
-    html += &named(table.expected, (table.finding)(failure.finding).expected);
-    if let Some(mistake) = failure.cause {
-        html += &named(table.looks_like, (table.mistake)(mistake).looks_like);
-        let hint = plain(graded.report.hint(mistake, table));
-        let _ = writeln!(
-            html,
-            "<p class=\"hint\"><strong>{}:</strong> {}</p>",
-            escaped(table.hint),
-            escaped(&hint)
-        );
-    }
-    if let Some(drawn) = graded.pictures.get(&check) {
-        let k = Check::ALL.iter().position(|known| *known == check).unwrap_or(0);
-        let figure = picture(k, drawn, words.picture);
-        html = format!("<div class=\"beside\"><div>\n{html}</div>\n{figure}</div>\n");
-    }
-    match said(failure, words) {
-        Some(text) => {
-            let heading = said_by(failure, words).map(|heading| paragraph("kind", heading));
-            html + &heading.unwrap_or_default() + &printed(&text)
+    let text = html! {
+        (named(words.found, &found(failure, words)))
+        @if !numbers.is_empty() { (list(&numbers)) }
+        (named(table.expected, (table.finding)(failure.finding).expected))
+        @if let Some(mistake) = failure.cause {
+            (named(table.looks_like, (table.mistake)(mistake).looks_like))
+            p.hint { strong { (table.hint) ":" } " " (plain(graded.report.hint(mistake, table))) }
         }
-        None => html,
+    };
+    html! {
+        @if let Some(drawn) = graded.pictures.get(&check) {
+            @let k = Check::ALL.iter().position(|known| *known == check).unwrap_or(0);
+            div.beside { div { (text) } (figure(k, drawn, words.picture)) }
+        } @else {
+            (text)
+        }
+        @if let Some(text) = said(failure, words) {
+            @if let Some(heading) = said_by(failure, words) { (paragraph("kind", heading)) }
+            pre { (text) }
+        }
     }
 }
 
-fn named(name: &str, text: &str) -> String {
-    format!("<p><strong>{}:</strong> {}</p>\n", escaped(name), escaped(text))
+fn named(name: &str, text: &str) -> Markup {
+    html! { p { strong { (name) ":" } " " (text) } }
 }
 
-fn log(graded: &Graded, words: &Words) -> String {
+fn log(graded: &Graded, words: &Words) -> Markup {
     let text = plain(&graded.log);
     let (start, is_cut) = beginning(text.trim(), LONGEST_LOG);
-    if start.is_empty() {
-        return String::new();
+    html! {
+        @if !start.is_empty() {
+            (section(words.log, &html! {
+                pre { (start) }
+                @if is_cut { (paragraph("kind", words.cut)) }
+            }))
+        }
     }
-    let cut = if is_cut { paragraph("kind", words.cut) } else { String::new() };
-    section(words.log, &(printed(start) + &cut))
 }
 
 /// What it was graded with.
@@ -188,7 +174,7 @@ fn measures(rubric: &Rubric, words: &Words) -> Vec<(String, String)> {
 }
 
 /// What each sign means.
-pub(super) fn legend(words: &Words) -> String {
+pub(super) fn legend(words: &Words) -> Markup {
     let said = Face::ALL.map(|face| format!("{} {}", face.sign(), (words.face)(face)));
     paragraph("legend", &said.join("   "))
 }
