@@ -36,13 +36,13 @@ use std::sync::OnceLock;
 
 use glam::DVec2;
 
-use self::cells::{Cells, put_in_order};
+use self::cells::{Grid, put_in_order, usual_radius};
 use self::kept::{Resized, Since};
 pub use self::lane_law::{ContactLanes, LaneLaw};
 pub use self::lanes::Lanes;
 use self::largest::Largest;
 use self::motion::{Booked, Move};
-use self::near::{Listed, Near, best_skin};
+use self::near::{Listed, Near, widest_skin};
 use self::pass::{Found, Pass, Share};
 use self::ring::Ring;
 use self::seam::Seam;
@@ -196,7 +196,8 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             }
         }
         *self.seams.last_mut().expect("one more than runs") = Seam::none();
-        let nothing = Found { largest: Largest::of(&self.tally), farthest: 0.0 };
+        let mut nothing = Found { largest: Largest::of(&self.tally), farthest: 0.0 };
+        let far = pass.far(&self.particles, &mut nothing.largest);
         let mut found = vec![nothing.clone(); runs.len()];
         let (mut particles, mut springs) = (&mut self.particles[..], &mut self.springs[..]);
         let mut books = books;
@@ -210,6 +211,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
             blocks,
             seams,
             ring,
+            far: &far,
             found,
         });
         self.team.each(shares.collect(), |share| pass.serve(share));
@@ -249,17 +251,13 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
     /// Stores the discs cell by cell and lists who is near whom, with a skin for the present speeds.
     fn list(&mut self) {
         let sizes = Sizes::of(&self.particles, &self.team);
-        let (radius, mean) = (sizes.largest_radius, sizes.mean_radius);
-        let travel = (sizes.fastest * self.dt).min(radius);
-        let skin = |density: f64| best_skin(mean, density, travel);
-
-        let mut cells = Cells::default();
-        cells.lay_out(&self.particles, &sizes, |density| 2.0 * radius + skin(density));
-        let mut order = cells.order(&self.particles, &self.ids, &self.team);
-        self.store(&mut order);
-        let skin = skin(cells.density);
+        let travel = (sizes.fastest * self.dt).min(sizes.largest_radius);
+        // The cells of the median disc, however large the largest.
+        let usual = 2.0 * usual_radius(&self.particles, &sizes);
+        let grid = Grid::new(&sizes, usual + widest_skin(&sizes, travel));
+        self.store(&mut grid.order(&self.particles, &self.ids, &self.team));
         let Self { particles, ids, planes, .. } = self;
-        self.near.make(Listed { particles, ids, planes }, &cells, &sizes, skin, &self.team);
+        self.near.make(Listed { particles, ids, planes }, &sizes, travel, &self.team);
     }
 
     /// Stores the discs in id order again.

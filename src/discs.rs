@@ -88,7 +88,7 @@ pub struct Snapshot {
     /// The springs' force on each disc as it is stored, N; empty where shares are kept.
     pub springs: Vec<DVec2>,
     /// Where each disc, as it is stored, was when the present list of near pairs was made, m.
-    pub listed_at: Vec<[f32; 2]>,
+    pub listed_at: Vec<[f64; 2]>,
     /// The skin of that list, m.
     pub skin: f64,
     /// The square of how far a disc may move before there is a new one, m2.

@@ -4,7 +4,6 @@ use glam::DVec2;
 
 use super::lanes::Lanes;
 use super::motion_lanes::KickAndDrift;
-use super::near::reference;
 use crate::particle::Particle;
 
 /// A move of every disc.
@@ -24,7 +23,7 @@ pub(super) struct Block<'a> {
     pub particles: &'a mut [Particle],
     /// Springs' forces, N; empty without ledger.
     pub springs: &'a [DVec2],
-    pub listed_at: &'a [[f32; 2]],
+    pub listed_at: &'a [[f64; 2]],
     /// One for each kick; empty without ledger.
     pub books: &'a mut [Booked],
 }
@@ -78,13 +77,13 @@ impl Farthest {
     }
 
     #[inline(always)]
-    pub fn look(&mut self, disc: &Particle, listed_at: &[f32; 2]) {
-        let moved = disc.position.distance_squared(reference(*listed_at));
+    pub fn look(&mut self, disc: &Particle, listed_at: &[f64; 2]) {
+        let moved = disc.position.distance_squared(DVec2::from_array(*listed_at));
         self.0 = if moved > self.0 { moved } else { self.0 };
     }
 
     /// A disc whose position is no number any more touches nobody and does not count.
-    pub fn among_finite(self, particles: &[Particle], listed_at: &[[f32; 2]]) -> f64 {
+    pub fn among_finite(self, particles: &[Particle], listed_at: &[[f64; 2]]) -> f64 {
         if self.0.is_finite() {
             return self.0;
         }

@@ -27,7 +27,7 @@ impl KickAndDrift {
         zero: V,
         particles: &mut [Particle],
         springs: &[DVec2],
-        listed_at: &[[f32; 2]],
+        listed_at: &[[f64; 2]],
     ) -> (f64, Booked) {
         let (kick, drift, half) = (zero.all(self.kick), zero.all(self.drift), 0.5 * self.kick);
         let (gravity, half) = (both(zero, [self.gravity; 2]), zero.all(half));
@@ -52,7 +52,7 @@ impl KickAndDrift {
                 booked[1] = booked[1] + spring * path;
                 booked[2] = booked[2] + (force - weight - spring) * path;
             }
-            let listed = [at[0][0], at[0][1], at[1][0], at[1][1]].map(f64::from);
+            let listed = [at[0][0], at[0][1], at[1][0], at[1][1]];
             let moved = position - zero.of(listed);
             let moved = moved * moved;
             farthest = (moved + moved.neighbours_exchanged()).greater(farthest);
@@ -117,7 +117,7 @@ mod tests {
                 disc.velocity.x = f64::NAN;
             }
             let springs: Vec<_> = (0..n).map(|k| vector(13 * k)).collect();
-            let listed_at: Vec<_> = (0..n).map(|k| vector(k + 100).as_vec2().to_array()).collect();
+            let listed_at: Vec<_> = (0..n).map(|k| vector(k + 100).to_array()).collect();
             let mut one_by_one = moved.clone();
             let booked = kick_and_book(&mut one_by_one, &springs, step.gravity, step.kick);
             one_by_one.iter_mut().for_each(|disc| disc.drift(step.drift));

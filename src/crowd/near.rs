@@ -6,45 +6,63 @@
 //! stored, listed or shared out.
 
 mod make;
+mod skin;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 
-use glam::DVec2;
-
 pub(super) use self::make::Listed;
+pub(super) use self::skin::widest_skin;
 use super::BLOCK;
 
-/// What a walk over one near pair costs in a step, over what making the list costs a disc. Measured
-/// once; it decides the skin, and no result depends on it.
-const COST_OF_PAIR: f64 = 0.028;
+/// Pairs are walked by so many; those of a block are filled up to whole groups.
+pub(super) const GROUP: usize = 8;
 
-/// Bounds of the skin, in mean radii.
-const SKIN: Range<f64> = 0.05..4.0;
+/// Parts kept for each disc; the few that have more have them in a list of their own.
+pub(super) const PARTS: usize = 6;
+
+/// Discs of a near pair are stored no further apart than this; others are far.
+const SPAN: u32 = 8192;
+
+/// Pairs in the ring at most: two entries each, and two for no force, are numbered in 16 bits.
+const LONGEST_RING: usize = (u16::MAX as usize + 1) / 2 - GROUP;
 
 /// Near pairs of discs stored cell by cell, and what a pass over them needs.
+///
+/// Forces of pairs lie in a buffer, two entries each, that on its first disc and that on its second: first a ring
+/// of `ring_length` pairs, in which pair k has place k modulo its length; then two entries of no
+/// force; then the far pairs, one after the other.
 #[derive(Default)]
 pub(super) struct Near {
     /// Places (in storage) of two discs that may touch, the lower first; ascending. Places are counted
-    /// from the first disc of the block of the lower.
-    pub pairs: Vec<[u32; 2]>,
-    /// Where in `pairs` those of each block of discs begin, by their first disc.
-    first_pair: Vec<u32>,
-    /// For each disc, where in `triples` its parts begin.
-    first_triple: Vec<u32>,
-    /// The parts of each disc, by threes and three at least, so that a processor can guess how many there are: where in
-    /// the ring of forces they lie, twice the number of the pair (in the ring) and one more if the disc
-    /// is the second of the two; or at its end, where there is no force, to fill the last three.
-    triples: Vec<[u32; 3]>,
-    /// The first pair that discs of each block, or of one after it, take part in.
+    /// from the first disc of the block of the lower. Each block has whole groups of them: its last pair
+    /// is repeated.
+    pub pairs: Vec<[u16; 2]>,
+    /// Where in `pairs` those of each block of discs begin, by their first disc, and the end.
+    pub first_pair: Vec<u32>,
+    /// Pairs of discs that are stored further apart than `span`: places, the lower first; ascending.
+    pub far: Vec<[u32; 2]>,
+    /// The span limit of near pairs, places; as large as the ring allows.
+    span: u32,
+    /// For each disc the entries of its parts, in ascending id of the partner, filled up with no force. All
+    /// are no force for those that have `more`.
+    pub parts: Vec<[u16; PARTS]>,
+    /// Discs with more parts than that, or with far ones; ascending.
+    pub more: Vec<More>,
+    /// The entries of their parts, disc by disc, in ascending id of the partner.
+    pub more_parts: Vec<u32>,
+    /// The first pair that discs of each block, or of one after it, take part in, or one of its group.
     pub reaches_back_to: Vec<u32>,
-    /// One after the last place that pairs of each block, or of one before it, reach.
+    /// One after the last place that near pairs of each block, or of one before it, reach.
     reaches_ahead_to: Vec<u32>,
-    /// Pairs that are still needed when those of a block have been walked, at most: the ring's length.
-    pub pairs_at_a_time: usize,
+    /// Pairs that are still needed when those of a block have been walked, at most: the ring's length, in
+    /// whole groups.
+    pub ring_length: usize,
     /// Places of the discs that may touch a wall, ascending.
     pub at_wall: Vec<u32>,
     /// Where each disc was when the list was made, m.
-    pub listed_at: Vec<[f32; 2]>,
+    pub listed_at: Vec<[f64; 2]>,
     /// The skin, m.
     pub skin: f64,
     /// The square of how far a disc may move before the list is bad, m2; negative if it is to be
@@ -54,6 +72,15 @@ pub(super) struct Near {
     pub is_there: bool,
     /// Lists made so far.
     pub made: u64,
+}
+
+/// All parts of a disc that has many, or far ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct More {
+    /// Where the disc is stored.
+    pub place: u32,
+    /// Where its parts begin in `more_parts`, and where they end.
+    pub parts: [u32; 2],
 }
 
 impl Near {
@@ -80,10 +107,18 @@ impl Near {
         (first_block, first_block * BLOCK..end)
     }
 
-    /// The parts of each of the discs at `places`.
-    pub fn triples_of(&self, places: Range<usize>) -> impl Iterator<Item = &[[u32; 3]]> + Clone {
-        let ends = self.first_triple[places.start..=places.end].windows(2);
-        ends.map(|ends| &self.triples[ends[0] as usize..ends[1] as usize])
+    /// The pairs of a block, each once.
+    pub fn distinct_pairs_of(&self, block: usize) -> &[[u16; 2]] {
+        let pairs = &self.pairs[self.pairs_of(block)];
+        let Some(last) = pairs.last() else { return pairs };
+        let more = pairs.iter().rev().skip(1).take_while(|pair| *pair == last).count();
+        &pairs[..pairs.len() - more]
+    }
+
+    /// The discs among `places` that have more parts than there is room for, or far ones.
+    pub fn more_among(&self, places: &Range<usize>) -> &[More] {
+        let from = |place: usize| self.more.partition_point(|of| (of.place as usize) < place);
+        &self.more[from(places.start)..from(places.end)]
     }
 
     /// The discs near walls among `places`.
@@ -91,52 +126,5 @@ impl Near {
         let first = self.at_wall.partition_point(|&place| (place as usize) < places.start);
         let rest = &self.at_wall[first..];
         &rest[..rest.partition_point(|&place| (place as usize) < places.end)]
-    }
-}
-
-/// The skin, m, at which walking the list and making it cost least together, for discs of mean radius
-/// `radius` (m) that cover the fraction `density` of their ground and of which the fastest goes
-/// `travel` m a step.
-///
-/// A disc has about density (2 + u)²/2 near pairs with a skin of u radii, and the list lasts
-/// u radius / (2 travel) steps. The sum of the two costs is least where
-/// c density (2 + u) u² = 2 travel / radius, c the cost of a pair over that of making a list.
-pub(super) fn best_skin(radius: f64, density: f64, travel: f64) -> f64 {
-    let wanted = 2.0 * travel / radius;
-    let excess = |u: f64| COST_OF_PAIR * density * (2.0 + u) * u * u - wanted;
-    let (mut low, mut high) = (SKIN.start, SKIN.end);
-    for _ in 0..30 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    radius * 0.5 * (low + high)
-}
-
-/// A position as it is kept for reference, m.
-pub(super) fn reference(listed_at: [f32; 2]) -> DVec2 {
-    DVec2::new(f64::from(listed_at[0]), f64::from(listed_at[1]))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_skin_is_the_one_of_least_cost() {
-        // What a step costs with a skin of u radii, in lists: pairs walked, and lists made.
-        let (density, per_step) = (0.8, 1e-3);
-        let cost =
-            |u: f64| 0.5 * COST_OF_PAIR * density * (2.0 + u) * (2.0 + u) + 2.0 * per_step / u;
-        let best = best_skin(1e-4, density, per_step * 1e-4) / 1e-4;
-        // A parabola at its bottom: a hundredth to either side costs more.
-        assert!(cost(best) < cost(0.99 * best) && cost(best) < cost(1.01 * best), "{best}");
-    }
-
-    #[test]
-    fn the_skin_keeps_to_its_bounds_at_rest_and_at_any_speed() {
-        for (travel, bound) in [(0.0, SKIN.start), (1e3, SKIN.end)] {
-            let skin = best_skin(2.0, 0.8, travel);
-            assert!((skin / (2.0 * bound) - 1.0).abs() < 1e-6, "{skin}"); // 30 halvings
-        }
     }
 }

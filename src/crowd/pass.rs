@@ -47,11 +47,13 @@ pub(super) struct Share<'a> {
     pub blocks: Range<usize>,
     pub particles: &'a mut [Particle],
     pub springs: &'a mut [DVec2],
-    pub listed_at: &'a [[f32; 2]],
+    pub listed_at: &'a [[f64; 2]],
     pub books: &'a mut [Booked],
     /// Where it meets the thread before, and the one after.
     pub seams: [&'a Seam; 2],
     pub ring: &'a mut Ring,
+    /// The forces of far pairs, of which no thread knows when their discs are moved.
+    pub far: &'a Ring,
     pub found: &'a mut Found,
 }
 
@@ -89,8 +91,8 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
     fn serve_in<V: Lanes>(&self, zero: V, share: Share) {
         let mut ring = std::mem::take(share.ring);
         let kept = match self.has_ledger {
-            false => self.serve_with::<V, Whole>(zero, &mut ring.whole, share),
-            true => self.serve_with::<V, Split>(zero, &mut ring.split, share),
+            false => self.serve_with::<V, Whole>(zero, &mut ring.whole, &share.far.whole, share),
+            true => self.serve_with::<V, Split>(zero, &mut ring.split, &share.far.split, share),
         };
         *kept = ring;
     }
@@ -100,15 +102,17 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
         &self,
         zero: V,
         ring: &mut Vec<[K::Stored; 2]>,
+        far: &[[K::Stored; 2]],
         share: Share<'a>,
     ) -> &'a mut Ring {
-        let Share { blocks, particles, springs, listed_at, books, seams, ring: kept, found } =
-            share;
+        let Share {
+            blocks, particles, springs, listed_at, books, seams, ring: kept, found, ..
+        } = share;
         let first = blocks.start * BLOCK;
         let mut books = books.chunks_mut(self.kicks.max(1));
         let mut springs_at_hand = [DVec2::ZERO; BLOCK];
         if self.adds_up {
-            self.begin::<V, K>(zero, ring, seams[0], blocks.start);
+            self.begin::<V, K>(zero, ring, far, seams[0], blocks.start);
         }
         for block in blocks {
             let start = block * BLOCK - first;
@@ -141,13 +145,15 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
         &self,
         zero: V,
         ring: &mut Vec<[K::Stored; 2]>,
+        far: &[[K::Stored; 2]],
         seam: &Seam,
         block: usize,
     ) {
-        // Room for the pairs, and at the end for no force at all.
+        // Room for the pairs, then no force at all, then far pairs.
         let nothing = [K::Stored::default(); 2];
-        ring.resize(self.near.pairs_at_a_time + 1, nothing);
-        ring[self.near.pairs_at_a_time] = nothing;
+        ring.resize(self.near.ring_length, nothing);
+        ring.push(nothing);
+        ring.extend_from_slice(far);
         let reaches_back_to = self.near.reaches_back_to[block] as usize;
         for before in seam.first_block..block {
             let Range { start, end } = self.near.pairs_of(before);
@@ -171,28 +177,43 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
             return;
         }
         let law = self.law.clone();
-        let ring = &mut ring[..self.near.pairs_at_a_time];
-        let round = ring.len();
+        let round = self.near.ring_length;
         let mut slot = pairs.start % round;
-        let mut fours = self.near.pairs[pairs].chunks_exact(4);
-        for four in &mut fours {
-            let four = [four[0], four[1], four[2], four[3]];
+        for four in self.near.pairs[pairs].chunks_exact(4) {
+            let four = [four[0], four[1], four[2], four[3]].map(|pair| pair.map(usize::from));
             let stored = stored::<L, V, K>(&law, zero, four, discs, largest);
-            match ring.get_mut(slot..slot + 4) {
-                Some(slots) => (0..4).for_each(|k| slots[k] = stored[k]),
-                None => (0..4).for_each(|k| ring[(slot + k) % round] = stored[k]),
-            }
+            ring[slot..slot + 4].copy_from_slice(&stored);
             slot += 4;
             slot -= if slot < round { 0 } else { round };
         }
-        if let [first, ..] = fours.remainder() {
-            let mut four = [*first; 4];
-            four.iter_mut().zip(fours.remainder()).for_each(|(to, from)| *to = *from);
-            let stored = stored::<L, V, K>(&law, zero, four, discs, largest);
-            for (k, _) in fours.remainder().iter().enumerate() {
-                ring[(slot + k) % round] = stored[k];
+    }
+
+    /// The forces of the far pairs of `particles`.
+    pub fn far(&self, particles: &[Particle], largest: &mut Largest) -> Ring {
+        let mut ring = Ring::default();
+        if self.adds_up {
+            match self.has_ledger {
+                false => ring.whole = self.walk_far::<Whole>(particles, largest),
+                true => ring.split = self.walk_far::<Split>(particles, largest),
             }
         }
+        ring
+    }
+
+    fn walk_far<K: Kept<f64x4>>(
+        &self,
+        discs: &[Particle],
+        largest: &mut Largest,
+    ) -> Vec<[K::Stored; 2]> {
+        let law = self.law.clone();
+        let mut forces = Vec::new();
+        for four in self.near.far.chunks(4) {
+            let four_pairs =
+                std::array::from_fn(|k| four[k.min(four.len() - 1)].map(|at| at as usize));
+            let stored = stored::<L, f64x4, K>(&law, f64x4::ZERO, four_pairs, discs, largest);
+            forces.extend_from_slice(&stored[..four.len()]);
+        }
+        forces
     }
 
     /// Adds up the forces on `discs`, the first of which is stored at `first`, and the springs' share.
@@ -209,8 +230,9 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
         let places = first..first + discs.len();
         let mut at_wall = self.near.at_wall_among(&places).iter();
         let mut next_at_wall = at_wall.next().map(|&place| place as usize - first);
-        let (triples, ring) = (self.near.triples_of(places), ring.as_flattened());
-        for (here, (disc, triples)) in discs.iter_mut().zip(triples).enumerate() {
+        let mut more = self.near.more_among(&places);
+        let (parts, ring) = (&self.near.parts[places], ring.as_flattened());
+        for (here, (disc, parts)) in discs.iter_mut().zip(parts).enumerate() {
             let start = if next_at_wall == Some(here) {
                 next_at_wall = at_wall.next().map(|&place| place as usize - first);
                 let [force, spring] = self.touch_walls(disc, largest);
@@ -218,7 +240,16 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
             } else {
                 K::start(zero, disc.mass * self.gravity, DVec2::ZERO)
             };
-            let [force, spring] = K::of(K::plus_all(start, triples, ring));
+            let sum = match more {
+                [of, rest @ ..] if of.place as usize == first + here => {
+                    more = rest;
+                    let parts = of.parts[0] as usize..of.parts[1] as usize;
+                    let parts = self.near.more_parts[parts].iter().map(|part| *part as usize);
+                    parts.fold(start, |sum, part| K::plus(sum, ring[part]))
+                }
+                _ => parts.iter().fold(start, |sum, part| K::plus(sum, ring[usize::from(*part)])),
+            };
+            let [force, spring] = K::of(sum);
             disc.force = force;
             if K::HAS_SPRING {
                 springs[here] = spring;
@@ -247,11 +278,11 @@ impl<L: LaneLaw + Clone> Pass<'_, L> {
 fn stored<L: LaneLaw, V: Lanes, K: Kept<V>>(
     law: &L,
     zero: V,
-    [a, b, c, d]: [[u32; 2]; 4],
+    [a, b, c, d]: [[usize; 2]; 4],
     discs: &[Particle],
     largest: &mut Largest,
 ) -> [[K::Stored; 2]; 4] {
-    let at = |place: u32| &discs[place as usize];
+    let at = |place: usize| &discs[place];
     let side = |k: usize| [at(a[k]), at(b[k]), at(c[k]), at(d[k])];
     match contact_lanes::forces(law, zero, [side(0), side(1)], largest) {
         Some(forces) => K::stored(forces),

@@ -22,17 +22,6 @@ pub(super) trait Kept<V: Lanes> {
     fn plus(sum: Self::Sum, other: Self::Stored) -> Self::Sum;
     /// The whole force and the springs' share, N.
     fn of(sum: Self::Sum) -> [DVec2; 2];
-
-    /// The sum of this and of all that `triples` name in the `ring`, one after the other.
-    #[inline(always)]
-    fn plus_all(sum: Self::Sum, triples: &[[u32; 3]], ring: &[Self::Stored]) -> Self::Sum {
-        let mut sum = sum;
-        for &[first, second, third] in triples {
-            sum = Self::plus(Self::plus(sum, ring[first as usize]), ring[second as usize]);
-            sum = Self::plus(sum, ring[third as usize]);
-        }
-        sum
-    }
 }
 
 /// The whole force alone.

@@ -16,7 +16,10 @@ impl<L: LaneLaw + Sync> Crowd<L> {
 
     /// Energy stored in all contacts, J.
     pub(super) fn energy_stored(&self) -> f64 {
-        self.sum_of_blocks(|block| self.energy_stored_in(block))
+        let at = |place: u32| &self.particles[place as usize];
+        let contacts = self.near.far.iter().filter_map(|&[a, b]| Contact::between(at(a), at(b)));
+        let far: f64 = contacts.map(|contact| self.law.stored_energy(&contact)).sum();
+        far + self.sum_of_blocks(|block| self.energy_stored_in(block))
     }
 
     fn sum_of_blocks(&self, of_block: impl Fn(usize) -> f64 + Sync) -> f64 {
@@ -44,7 +47,7 @@ impl<L: LaneLaw + Sync> Crowd<L> {
                 }
             }
         }
-        for &[a, b] in &self.near.pairs[self.near.pairs_of(block)] {
+        for &[a, b] in self.near.distinct_pairs_of(block) {
             if let Some(contact) = Contact::between(&ahead[a as usize], &ahead[b as usize]) {
                 stored += self.law.stored_energy(&contact);
             }

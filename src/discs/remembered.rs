@@ -23,7 +23,7 @@ pub struct Remembered<'a> {
     /// The springs' force on each disc as it is stored, N; empty where shares are kept.
     pub springs: &'a [DVec2],
     /// Where each disc, as it is stored, was when the present list of near pairs was made, m.
-    pub listed_at: &'a [[f32; 2]],
+    pub listed_at: &'a [[f64; 2]],
     /// The skin of that list, m.
     pub skin: f64,
     /// The square of how far a disc may move before there is a new one, m2.

@@ -123,7 +123,7 @@ fn views(discs: Remembered, steps: u64) -> Vec<(&'static str, ArrayView)> {
         views.push(("shares", ArrayView::of_numbers(shares.iter().map(of_share))));
     }
     if !ids.is_empty() {
-        let listed_at = listed_at.iter().map(|place| place.map(f64::from));
+        let listed_at = listed_at.iter().copied();
         views.push(("ids", ArrayView::of_counts(ids.iter().map(|id| u64::from(*id)))));
         views.push(("springs", ArrayView::of_numbers(springs.iter().map(DVec2::to_array))));
         views.push(("listed_at", ArrayView::of_numbers(listed_at)));
@@ -152,7 +152,7 @@ fn with_crowd(plain: Snapshot, arrays: &mut Vec<(String, Array)>) -> Result<Snap
     Ok(Snapshot {
         ids,
         springs,
-        listed_at: listed_at.chunks_exact(2).map(|x| [x[0] as f32, x[1] as f32]).collect(),
+        listed_at: listed_at.chunks_exact(2).map(|x| [x[0], x[1]]).collect(),
         skin: list[0],
         limit_squared: list[1],
         ..plain
