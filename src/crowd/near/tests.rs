@@ -262,10 +262,10 @@ fn one_after_the_other(discs: &[Particle], law: &SpringDashpot) -> (Vec<DVec2>, 
 #[test]
 fn a_giant_s_far_pairs_push_to_the_bits_of_one_contact_after_the_other_on_any_number_of_threads() {
     // All that do not touch it lie above its right half, between its own place and those of its partners there.
-    let mut discs = giant(12_000, 200.0);
-    for (k, p) in discs.iter_mut().enumerate().filter(|(_, p)| p.position.length() > 202.0 * RADIUS)
+    let mut discs = giant(12_000, 400.0);
+    for (k, p) in discs.iter_mut().enumerate().filter(|(_, p)| p.position.length() > 402.0 * RADIUS)
     {
-        p.position = RADIUS * (DVec2::new(0.0, 202.0) + DVec2::new(200.0, 400.0) * somewhere(k));
+        p.position = RADIUS * (DVec2::new(0.0, 402.0) + DVec2::new(400.0, 250.0) * somewhere(k));
     }
     let run = |threads| {
         let mut crowd = crowd(discs.clone(), threads);
