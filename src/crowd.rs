@@ -21,6 +21,7 @@ mod kept;
 mod lane_law;
 mod lanes;
 mod largest;
+mod levels;
 mod motion;
 mod motion_lanes;
 mod near;
@@ -36,11 +37,12 @@ use std::sync::OnceLock;
 
 use glam::DVec2;
 
-use self::cells::{Grid, put_in_order, usual_radius};
+use self::cells::{Grid, put_in_order};
 use self::kept::{Resized, Since};
 pub use self::lane_law::{ContactLanes, LaneLaw};
 pub use self::lanes::Lanes;
 use self::largest::Largest;
+use self::levels::usual_radius;
 use self::motion::{Booked, Move};
 use self::near::{Listed, Near, widest_skin};
 use self::pass::{Found, Pass, Share};
@@ -172,7 +174,7 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         &mut self,
         moves: &[Move],
         kicks: usize,
-        books: &mut [Booked],
+        mut books: &mut [Booked],
         keeps_springs: bool,
     ) -> Found {
         let pass = Pass {
@@ -200,7 +202,6 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
         let far = pass.far(&self.particles, &mut nothing.largest);
         let mut found = vec![nothing.clone(); runs.len()];
         let (mut particles, mut springs) = (&mut self.particles[..], &mut self.springs[..]);
-        let mut books = books;
         let seams = self.seams.windows(2).map(|seams| [&seams[0], &seams[1]]);
         let shares = runs.into_iter().zip(seams).zip(&mut self.rings).zip(&mut found);
         let shares = shares.map(|(((blocks, seams), ring), found)| Share {
@@ -250,11 +251,12 @@ impl<L: LaneLaw + Clone + Sync + 'static> Crowd<L> {
 
     /// Stores the discs cell by cell and lists who is near whom, with a skin for the present speeds.
     fn list(&mut self) {
-        let sizes = Sizes::of(&self.particles, &self.team);
+        let sizes = Sizes::of(&self.particles, &self.ids, &self.team);
         let travel = (sizes.fastest * self.dt).min(sizes.largest_radius);
         // The cells of the median disc, however large the largest.
-        let usual = 2.0 * usual_radius(&self.particles, &sizes);
-        let grid = Grid::new(&sizes, usual + widest_skin(&sizes, travel));
+        let skin = widest_skin(&sizes, travel);
+        let usual = usual_radius(&self.particles, &sizes, skin);
+        let grid = Grid::new(&sizes, 2.0 * usual + skin);
         self.store(&mut grid.order(&self.particles, &self.ids, &self.team));
         let Self { particles, ids, planes, .. } = self;
         self.near.make(Listed { particles, ids, planes }, &sizes, travel, &self.team);

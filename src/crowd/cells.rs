@@ -3,8 +3,6 @@
 //! There is no table of cells: what is kept is the sorted keys of the discs. A few discs far away cost a
 //! few digits of the keys, and no cell becomes larger by them.
 
-use std::ops::Range;
-
 use glam::{DVec2, Vec2Swizzles};
 
 use super::sizes::Sizes;
@@ -32,7 +30,7 @@ pub(super) struct Grid {
     last_column: u64,
     last_row: u64,
     /// From a key to that of the cell above it. Beyond the last column there is one that is always empty.
-    row: u64,
+    pub row: u64,
 }
 
 impl Grid {
@@ -67,7 +65,7 @@ impl Grid {
     }
 
     /// The cells of discs.
-    fn keys(&self, particles: &[Particle], team: &Team) -> Vec<u64> {
+    pub fn keys(&self, particles: &[Particle], team: &Team) -> Vec<u64> {
         let mut keys = vec![0; particles.len()];
         team.pieces(&mut keys, |first, keys| {
             keys.iter_mut()
@@ -116,189 +114,6 @@ pub(super) fn sort_by_key<T: Copy>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) 
     }
 }
 
-/// Discs of about one size, sorted by cells so wide that two near ones are in cells that touch.
-pub(super) struct Level {
-    grid: Grid,
-    /// The cells of its discs, ascending.
-    keys: Vec<u64>,
-    /// Where these discs are stored; none if they are all there are, in the order in which they are stored.
-    places: Option<Vec<u32>>,
-}
-
-/// Discs of a level that follow each other.
-pub(super) enum Run<'a> {
-    /// Stored one after the other.
-    Stored(Range<usize>),
-    /// Stored at these places.
-    At(&'a [u32]),
-}
-
-impl Run<'_> {
-    /// How many there are.
-    pub fn count(&self) -> usize {
-        match self {
-            Self::Stored(places) => places.len(),
-            Self::At(places) => places.len(),
-        }
-    }
-
-    /// Tells `of` where each is stored, and itself.
-    #[inline(always)]
-    pub fn each(self, particles: &[Particle], mut of: impl FnMut(usize, &Particle)) {
-        match self {
-            Self::Stored(places) => {
-                for (place, p) in places.clone().zip(&particles[places]) {
-                    of(place, p);
-                }
-            }
-            Self::At(places) => {
-                for &place in places {
-                    of(place as usize, &particles[place as usize]);
-                }
-            }
-        }
-    }
-}
-
-impl Level {
-    /// All discs as one level of near pairs within `skin` (m) of touching.
-    pub fn of_all(particles: &[Particle], sizes: &Sizes, skin: f64, team: &Team) -> Self {
-        let largest_radius = sizes.largest_radius;
-        let grid = Grid::new(sizes, 2.0 * largest_radius + skin);
-        let keys = grid.keys(particles, team);
-        Self { grid, keys, places: None }.sorted()
-    }
-
-    fn sorted(mut self) -> Self {
-        if !self.keys.is_sorted() {
-            let keys = &self.keys;
-            let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-            sort_by_key(&mut order, |k| keys[*k as usize]);
-            self.places = Some(match &self.places {
-                None => order.clone(),
-                Some(places) => order.iter().map(|&k| places[k as usize]).collect(),
-            });
-            self.keys = order.iter().map(|&k| keys[k as usize]).collect();
-        }
-        self
-    }
-
-    /// Number of discs.
-    pub fn count(&self) -> usize {
-        self.keys.len()
-    }
-
-    /// Whether they are all there are, in the order in which they are stored.
-    pub fn is_as_stored(&self) -> bool {
-        self.places.is_none()
-    }
-
-    /// Where a disc of it is stored.
-    pub fn place(&self, disc: usize) -> usize {
-        self.places.as_ref().map_or(disc, |places| places[disc] as usize)
-    }
-
-    fn run(&self, discs: Range<usize>) -> Run<'_> {
-        match &self.places {
-            None => Run::Stored(discs),
-            Some(places) => Run::At(&places[discs]),
-        }
-    }
-
-    /// Tells `of`, for each of `discs`, which follow it in cells that touch its own: two runs.
-    #[inline(always)]
-    pub fn each_ahead(&self, discs: Range<usize>, mut of: impl FnMut(usize, [Run<'_>; 2])) {
-        let Some(&first) = self.keys.get(discs.start) else { return };
-        let row = self.grid.row;
-        let from = |key: u64| self.keys.partition_point(|other| *other < key);
-        let [mut right, mut above, mut end] =
-            [first + 2, first + row - 1, first + row + 2].map(from);
-        let go_to = |at: &mut usize, key: u64| {
-            while self.keys.get(*at).is_some_and(|other| *other < key) {
-                *at += 1;
-            }
-        };
-        for (disc, &key) in discs.clone().zip(&self.keys[discs]) {
-            go_to(&mut right, key + 2);
-            go_to(&mut above, key + row - 1);
-            go_to(&mut end, key + row + 2);
-            of(disc, [self.run(disc + 1..right), self.run(above..end)]);
-        }
-    }
-
-    /// Those in the cell of `position` and in cells that touch it: three runs. `around` keeps what was
-    /// found last.
-    pub fn around<'a>(&'a self, position: DVec2, around: &mut Around) -> [Run<'a>; 3] {
-        let key = self.grid.key(position);
-        if around.key != key {
-            let from = |key: u64| self.keys.partition_point(|other| *other < key);
-            let run = |key: u64| [from(key - 1), from(key + 2)];
-            let row = self.grid.row;
-            *around = Around { key, runs: [key - row, key, key + row].map(run) };
-        }
-        around.runs.map(|[start, end]| self.run(start..end))
-    }
-}
-
-/// A cell, 0 for none, and those around it.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Around {
-    key: u64,
-    runs: [[usize; 2]; 3],
-}
-
-/// Levels of near pairs within `skin` (m) of touching, finest first: discs of one level have radii within
-/// a factor of 2 (Krijgsman, Ogarko and Luding 2014), so that small ones are not looked for in cells for
-/// large ones.
-pub(super) fn levels(particles: &[Particle], sizes: &Sizes, skin: f64, team: &Team) -> Vec<Level> {
-    if level_of(sizes.largest_radius, sizes) == 0 {
-        return vec![Level::of_all(particles, sizes, skin, team)];
-    }
-    let mut members = vec![Vec::new(); LEVELS];
-    for (place, p) in (0..).zip(particles) {
-        members[level_of(p.radius, sizes)].push(place);
-    }
-    let level = |places: Vec<u32>| {
-        let discs = || places.iter().map(|&place| &particles[place as usize]);
-        let largest_radius = discs().map(|p| p.radius).fold(0.0, f64::max);
-        let grid = Grid::new(sizes, 2.0 * largest_radius + skin);
-        let keys = discs().map(|p| grid.key(p.position)).collect();
-        Level { grid, keys, places: Some(places) }.sorted()
-    };
-    members.into_iter().filter(|places| !places.is_empty()).map(level).collect()
-}
-
-/// The largest radius, m, of those of the median disc's level: what cells of the order of storage follow.
-pub(super) fn usual_radius(particles: &[Particle], sizes: &Sizes) -> f64 {
-    if level_of(sizes.largest_radius, sizes) == 0 {
-        return sizes.largest_radius;
-    }
-    let mut levels = [(0, 0.0_f64); LEVELS];
-    for p in particles {
-        let (count, largest) = &mut levels[level_of(p.radius, sizes)];
-        (*count, *largest) = (*count + 1, largest.max(p.radius));
-    }
-    let mut before = 0;
-    let median = levels.iter().find(|(count, _)| {
-        before += count;
-        2 * before >= particles.len()
-    });
-    median.map_or(sizes.largest_radius, |(_, largest)| *largest)
-}
-
-/// Levels there are at most; larger discs than that are in the last.
-const LEVELS: usize = 64;
-
-/// How many times a radius, m, can be halved before it is below twice the smallest.
-fn level_of(radius: f64, sizes: &Sizes) -> usize {
-    let times = radius / sizes.smallest_radius;
-    if times < 2.0 || times.is_nan() {
-        return 0;
-    }
-    // The exponent of a number in [1, infinity].
-    ((times.to_bits() >> 52) as usize - 1023).min(LEVELS - 1)
-}
-
 /// Moves the disc at `order[place]` to `place`, for all places, and all that lies beside the discs
 /// with them, in place. `order` is used up.
 pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
@@ -311,6 +126,66 @@ pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)
             }
             swap(place, from);
             place = from;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_put_in_order_lies_where_the_order_says() {
+        for order in [vec![], vec![0], vec![1, 0], vec![2, 0, 1, 3], vec![4, 3, 0, 1, 2]] {
+            let before: Vec<u32> = (0..order.len() as u32).map(|k| 10 * k).collect();
+            let mut after = before.clone();
+            put_in_order(&mut order.clone(), |a, b| after.swap(a, b));
+            let wanted: Vec<u32> = order.iter().map(|&from| before[from as usize]).collect();
+            assert_eq!(after, wanted);
+        }
+    }
+
+    #[test]
+    fn what_is_sorted_by_key_ascends_and_equal_ones_stay_as_they_came() {
+        for (n, times) in
+            [(0, 1), (1, 1), (5, 0), (1000, 1), (1000, 0x1_0000_0001), (3000, 1 << 52)]
+        {
+            let key = |k: u32| u64::from(7919 * k % 512) * times;
+            let mut sorted: Vec<u32> = (0..n).collect();
+            sort_by_key(&mut sorted, |k| key(*k));
+            let mut wanted: Vec<u32> = (0..n).collect();
+            wanted.sort_by_key(|k| key(*k));
+            assert_eq!(sorted, wanted);
+        }
+    }
+
+    #[test]
+    fn discs_closer_than_a_side_are_in_cells_that_touch_wherever_they_are() {
+        let golden = |k: usize| (0.618_034 * k as f64).fract();
+        let spread = |k: usize| DVec2::new(golden(k), golden(7 * k + 3));
+        let kinds: [fn(DVec2) -> DVec2; 5] = [
+            |place| place,
+            |place| DVec2::new(place.x, 10.0 * place.y),
+            |place| DVec2::new(place.x, 0.0),
+            |place| DVec2::new(1e4 * place.x, place.y),
+            |place| if place.x < 0.01 { 1e12 * place } else { place },
+        ];
+        for kind in kinds {
+            let discs: Vec<_> =
+                (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
+            let ids: Vec<u32> = (0..400).collect();
+            let (reach, sizes) = (0.05, Sizes::of(&discs, &ids, &Team::of(1)));
+            let grid = Grid::new(&sizes, reach);
+            for (k, p) in discs.iter().enumerate() {
+                let key = grid.key(p.position);
+                let around = [key - grid.row, key, key + grid.row];
+                for q in &discs[..k] {
+                    let other = grid.key(q.position);
+                    let is_near = p.position.distance(q.position) < reach;
+                    let touch = around.iter().any(|key| other.abs_diff(*key) <= 1);
+                    assert!(touch || !is_near, "{p:?} {q:?}");
+                }
+            }
         }
     }
 }

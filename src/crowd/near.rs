@@ -26,7 +26,7 @@ pub(super) const PARTS: usize = 6;
 const SPAN: u32 = 8192;
 
 /// Pairs in the ring at most: two entries each, and two for no force, are numbered in 16 bits.
-const LONGEST_RING: usize = (u16::MAX as usize + 1) / 2 - GROUP;
+const LONGEST_RING: usize = (1 << 15) - GROUP;
 
 /// Near pairs of discs stored cell by cell, and what a pass over them needs.
 ///

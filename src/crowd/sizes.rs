@@ -7,7 +7,7 @@ use super::team::Team;
 use crate::particle::Particle;
 
 /// Discs looked at to learn where most of them are.
-const SAMPLE: u64 = 256;
+const SAMPLE: usize = 256;
 
 /// What is to be known of all discs before their near pairs are listed.
 ///
@@ -32,7 +32,7 @@ pub(super) struct Sizes {
 
 impl Sizes {
     /// Looks at all discs.
-    pub fn of(particles: &[Particle], team: &Team) -> Self {
+    pub fn of(particles: &[Particle], ids: &[u32], team: &Team) -> Self {
         let mut blocks = vec![Self::of_none(); particles.len().div_ceil(BLOCK)];
         team.pieces(&mut blocks, |first, blocks| {
             let discs = particles[first * BLOCK..].chunks(BLOCK);
@@ -42,7 +42,7 @@ impl Sizes {
         all.mean_radius /= particles.len().max(1) as f64;
         all.areas *= std::f64::consts::PI;
         all.fastest = all.fastest.sqrt();
-        all.look_at_the_middle(particles);
+        all.look_at_the_middle(particles, ids);
         all
     }
 
@@ -89,14 +89,16 @@ impl Sizes {
         }
     }
 
-    /// From a sample: a few discs far away must not count. It is drawn by a hash, since every so many'th
-    /// disc as stored may be one column of a bed.
-    fn look_at_the_middle(&mut self, particles: &[Particle]) {
-        let n = particles.len() as u64;
-        let drawn = |k| if n <= SAMPLE { k } else { hash(k) % n };
-        let sample: Vec<DVec2> = (0..n.min(SAMPLE))
-            .map(|k| particles[drawn(k) as usize].position)
-            .filter(|position| position.is_finite())
+    /// From a sample: a few discs far away must not count. It is drawn by a hash of the ids, since every so
+    /// many'th disc may be one column of a bed, and is always of the same discs, so that what follows from it
+    /// does not change from list to list.
+    fn look_at_the_middle(&mut self, particles: &[Particle], ids: &[u32]) {
+        let drawn = u64::MAX / particles.len().div_ceil(SAMPLE).max(1) as u64;
+        let sample: Vec<DVec2> = ids
+            .iter()
+            .zip(particles)
+            .filter(|(id, p)| hash(u64::from(**id)) <= drawn && p.position.is_finite())
+            .map(|(_, p)| p.position)
             .collect();
         let [x, y] = [0, 1].map(|axis| quartiles(sample.iter().map(|position| position[axis])));
         let [low, high] = [DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1])];
@@ -127,6 +129,10 @@ pub(super) fn hash(number: u64) -> u64 {
 mod tests {
     use super::*;
 
+    fn ids(n: usize) -> Vec<u32> {
+        (0..n as u32).collect()
+    }
+
     #[test]
     fn sizes_are_those_of_all_discs_on_any_number_of_threads() {
         // More than two blocks, and a part of one.
@@ -135,7 +141,7 @@ mod tests {
             .collect();
         discs[200].velocity = DVec2::new(3.0, -4.0);
         discs[201].position = DVec2::NAN;
-        let alone = Sizes::of(&discs, &Team::of(1));
+        let alone = Sizes::of(&discs, &ids(discs.len()), &Team::of(1));
         let n = discs.len() as f64;
         assert_eq!((alone.smallest_radius, alone.largest_radius, alone.fastest), (1.0, 2.0, 5.0));
         assert_eq!((alone.low, alone.high), (DVec2::new(1.0 - n, 1.0), DVec2::new(0.0, 1.0)));
@@ -143,7 +149,11 @@ mod tests {
         assert_eq!(alone.mean_radius, (130.0 + 2.0 * 129.0) / n);
         assert_eq!(alone.areas, (130.0 + 4.0 * 129.0) * std::f64::consts::PI);
         for threads in [2, 3, 8] {
-            assert_eq!(Sizes::of(&discs, &Team::of(threads)), alone, "{threads} threads");
+            assert_eq!(
+                Sizes::of(&discs, &ids(discs.len()), &Team::of(threads)),
+                alone,
+                "{threads} threads"
+            );
         }
     }
 
@@ -153,7 +163,7 @@ mod tests {
         let mut discs: Vec<_> =
             (0..100_000).map(|k| Particle::at_rest(row(k), 0.25, 1.0)).collect();
         discs[77].position = DVec2::splat(1e9);
-        let sizes = Sizes::of(&discs, &Team::of(1));
+        let sizes = Sizes::of(&discs, &ids(discs.len()), &Team::of(1));
         let [width, height] = (sizes.middle[1] - sizes.middle[0]).to_array();
         // A quartile of 256 drawn numbers scatters by 3 %; both ends, and three times that, are 12 %.
         assert!((width / 500.0 - 1.0).abs() < 0.24, "{width}");
@@ -165,7 +175,7 @@ mod tests {
 
     #[test]
     fn of_no_discs_there_is_nothing() {
-        let sizes = Sizes::of(&[], &Team::of(2));
+        let sizes = Sizes::of(&[], &[], &Team::of(2));
         assert_eq!((sizes.largest_radius, sizes.mean_radius, sizes.fastest), (0.0, 0.0, 0.0));
     }
 }

@@ -9,7 +9,7 @@ pub(super) use self::search::Search;
 use super::Near;
 use super::skin::{best_skin, widest_skin};
 use crate::crowd::BLOCK;
-use crate::crowd::cells::{Level, levels};
+use crate::crowd::levels::{Level, levels};
 use crate::crowd::sizes::Sizes;
 use crate::crowd::team::Team;
 use crate::discs::Snapshot;
@@ -52,7 +52,8 @@ impl Near {
     /// positions.
     pub fn list_anywhere(&mut self, listed: Listed, team: &Team) {
         let skin = 2.0 * self.skin;
-        let levels = levels(listed.particles, &Sizes::of(listed.particles, team), skin, team);
+        let levels =
+            levels(listed.particles, &Sizes::of(listed.particles, listed.ids, team), skin, team);
         self.list(listed, &levels, skin, team);
     }
 

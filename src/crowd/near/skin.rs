@@ -7,7 +7,7 @@
 
 use super::make::Search;
 use crate::crowd::BLOCK;
-use crate::crowd::cells::Level;
+use crate::crowd::levels::Level;
 use crate::crowd::sizes::{Sizes, hash};
 use crate::crowd::team::Team;
 
@@ -20,10 +20,10 @@ const ALWAYS_COUNTED: usize = 8;
 /// What walking a near pair costs in a step, and what making the list costs a disc, in ns on a processor of
 /// 2023. Measured once; they decide the skin, and no result depends on them.
 const COST_OF_PAIR: f64 = 1.35;
-const COST_OF_LIST: f64 = 110.0;
+const COST_OF_LIST: f64 = 130.0;
 
 /// Discs among which pairs are counted, at least; and of larger crowds one in so many.
-const DISCS_COUNTED: usize = 4096;
+const DISCS_COUNTED: usize = 256;
 const ONE_IN: usize = 16;
 
 /// Which of the [`SKINS`] costs least up to `last`, if the list's discs (of which the fastest goes `travel`
@@ -81,8 +81,10 @@ fn count_by_skin(
         for (k, discs, counts) in pieces {
             search.each_run(&levels[*k..], discs.clone(), |_, p, run| {
                 run.each(search.particles, |_, q| {
-                    let gap = p.position.distance(q.position) - p.radius - q.radius;
-                    if gap < skins[last] {
+                    let reach = p.radius + q.radius;
+                    let squared = p.position.distance_squared(q.position);
+                    if squared < (reach + skins[last]) * (reach + skins[last]) {
+                        let gap = squared.sqrt() - reach;
                         counts[skins[..last].iter().filter(|skin| gap >= **skin).count()] += 1;
                     }
                 });
@@ -114,7 +116,8 @@ mod tests {
 
     #[test]
     fn wider_skins_are_thought_of_where_discs_are_few_and_fast() {
-        let sizes = |density| Sizes { mean_radius: 1.0, density, ..Sizes::of(&[], &Team::of(1)) };
+        let sizes =
+            |density| Sizes { mean_radius: 1.0, density, ..Sizes::of(&[], &[], &Team::of(1)) };
         assert_eq!(widest_skin(&sizes(0.8), 1e-4), 1.4);
         assert_eq!(widest_skin(&sizes(0.01), 0.1), 4.0);
     }

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::make::{Listed, Search};
 use super::{GROUP, LONGEST_RING, Near, widest_skin};
-use crate::crowd::cells::levels;
+use crate::crowd::levels::levels;
 use crate::crowd::sizes::Sizes;
 use crate::crowd::{BLOCK, Crowd};
 use crate::discs::Discs;
@@ -119,7 +119,7 @@ fn pairs(near: &Near) -> BTreeSet<[usize; 2]> {
         let distinct = near.distinct_pairs_of(block);
         assert!(distinct.is_sorted_by(|a, b| a < b));
         let all = &near.pairs[near.pairs_of(block)];
-        assert!(all.len().is_multiple_of(GROUP) && all.len() < distinct.len() + GROUP);
+        assert!(all.len() % GROUP == 0 && all.len() < distinct.len() + GROUP);
         assert!(all[distinct.len()..].iter().all(|pair| Some(pair) == distinct.last()));
         for pair in distinct {
             let [a, b] = pair.map(|at| block * BLOCK + usize::from(at));
@@ -143,7 +143,7 @@ fn near_pairs(particles: &[Particle], skin: f64) -> BTreeSet<[usize; 2]> {
 
 /// Goes through the blocks as a pass does, and looks what every part finds in the ring.
 fn hold_parts_against_pairs(near: &Near, ids: &[u32], wanted: &BTreeSet<[usize; 2]>) {
-    assert!(near.ring_length.is_multiple_of(GROUP) && near.ring_length <= LONGEST_RING);
+    assert!(near.ring_length % GROUP == 0 && near.ring_length <= LONGEST_RING);
     let mut parts: Vec<Vec<(u32, [usize; 2], usize)>> = vec![Vec::new(); ids.len()];
     for &pair in wanted {
         parts[pair[0]].push((ids[pair[1]], pair, 0));
@@ -157,19 +157,20 @@ fn hold_parts_against_pairs(near: &Near, ids: &[u32], wanted: &BTreeSet<[usize; 
             let pair = near.pairs[k].map(|at| block * BLOCK + usize::from(at));
             buffer[k % near.ring_length] = Some(pair);
         }
-        for place in block * BLOCK..((block + 1) * BLOCK).min(ids.len()) {
+        let places = block * BLOCK..((block + 1) * BLOCK).min(ids.len());
+        for (place, parts) in places.clone().zip(&mut parts[places]) {
             let mut entries: Vec<usize> = near.parts[place].map(usize::from).to_vec();
             if let Some(of) = more.next_if(|of| of.place as usize == place) {
                 assert!(entries.iter().all(|entry| *entry == 2 * near.ring_length));
                 let [start, end] = of.parts.map(|at| at as usize);
                 entries = near.more_parts[start..end].iter().map(|at| *at as usize).collect();
             }
-            parts[place].sort_unstable();
+            parts.sort_unstable();
             let found: Vec<_> = entries
                 .iter()
                 .filter_map(|entry| buffer[entry / 2].map(|pair| (pair, entry % 2)))
                 .collect();
-            let wanted: Vec<_> = parts[place].iter().map(|part| (part.1, part.2)).collect();
+            let wanted: Vec<_> = parts.iter().map(|part| (part.1, part.2)).collect();
             assert_eq!(found, wanted, "disc at {place}");
         }
     }
@@ -310,7 +311,7 @@ fn a_list_does_not_depend_on_the_number_of_threads() {
 /// Pairs looked at when a list is made of these discs, for each disc.
 fn looked_at(discs: Vec<Particle>) -> f64 {
     let crowd = crowd(discs, 1);
-    let sizes = Sizes::of(&crowd.particles, &crowd.team);
+    let sizes = Sizes::of(&crowd.particles, &crowd.ids, &crowd.team);
     let levels = levels(&crowd.particles, &sizes, widest_skin(&sizes, 0.0), &crowd.team);
     let search = Search { particles: &crowd.particles, skin: 0.0 };
     let mut looked_at = 0;

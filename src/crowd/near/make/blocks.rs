@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::Search;
 use crate::crowd::BLOCK;
-use crate::crowd::cells::Level;
+use crate::crowd::levels::Level;
 use crate::crowd::near::{GROUP, LONGEST_RING, Near, SPAN};
 use crate::crowd::team::Team;
 
@@ -94,7 +94,10 @@ impl Near {
         team: &Team,
     ) {
         let Self { pairs, far, first_pair, reaches_back_to, reaches_ahead_to, .. } = self;
-        (pairs.clear(), far.clear(), reaches_ahead_to.clear(), first_pair.clear());
+        pairs.clear();
+        far.clear();
+        reaches_ahead_to.clear();
+        first_pair.clear();
         first_pair.push(0);
         reaches_back_to.clear();
         reaches_back_to.resize(blocks, u32::MAX);

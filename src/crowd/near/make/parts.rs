@@ -122,7 +122,7 @@ impl Near {
     /// The parts in far pairs, with the places of the discs that take them, ascending.
     fn far_parts(&self, ids: &[u32]) -> Vec<(u32, u64)> {
         let part = |(k, &[a, b]): (usize, &[u32; 2])| {
-            let part = u64::from(2 * k as u32 | IS_FAR);
+            let part = u64::from((2 * k as u32) | IS_FAR);
             let partner = |place: u32| u64::from(ids[place as usize]) << 32;
             [(a, partner(b) | part), (b, partner(a) | part | 1)]
         };

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::crowd::BLOCK;
-use crate::crowd::cells::{Around, Level, Run, sort_by_key};
+use crate::crowd::cells::sort_by_key;
+use crate::crowd::levels::{Around, Level, Run};
 use crate::crowd::team::Team;
 use crate::particle::Particle;
 
@@ -38,7 +39,9 @@ impl Search<'_> {
             of(place, p, above);
             for (level, around) in coarser.iter().zip(&mut around) {
                 for run in level.around(p.position, around) {
-                    of(place, p, run);
+                    if run.count() > 0 {
+                        of(place, p, run);
+                    }
                 }
             }
         });
