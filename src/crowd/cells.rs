@@ -92,8 +92,11 @@ impl Grid {
 
 /// Sorts by `key`, the equal ones in the order in which they come: digit by digit, the lowest first.
 pub(super) fn sort_by_key<T: Copy>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
-    let highest = items.iter().map(&key).max().unwrap_or(0);
-    let lowest = items.iter().map(&key).min().unwrap_or(0);
+    let [lowest, highest] = items.iter().fold([u64::MAX, 0], |[low, high], item| {
+        let key = key(item);
+        [low.min(key), high.max(key)]
+    });
+    let lowest = lowest.min(highest); // of nothing
     let bits = u64::BITS - (highest - lowest).leading_zeros();
     let width = bits.div_ceil(bits.div_ceil(DIGIT).max(1));
     let mut sorted = items.clone();

@@ -55,8 +55,10 @@ impl Sorting {
     #[inline(always)]
     fn take(&mut self, place: usize) -> [u64; PARTS] {
         let here = place & (self.parts.len() - 1);
-        self.counts[here] = 0;
-        sorted(std::mem::replace(&mut self.parts[here], [NONE; PARTS]))
+        match std::mem::take(&mut self.counts[here]) {
+            0 => [NONE; PARTS], // most discs of a gas
+            _ => sorted(std::mem::replace(&mut self.parts[here], [NONE; PARTS])),
+        }
     }
 
     /// Takes out the rest of discs before the place `end`.

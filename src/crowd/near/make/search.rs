@@ -35,8 +35,11 @@ impl Search<'_> {
             let place = own.place(disc);
             let p = &self.particles[place];
             let [beside, above] = ahead;
-            of(place, p, beside);
-            of(place, p, above);
+            for run in [beside, above] {
+                if run.count() > 0 {
+                    of(place, p, run);
+                }
+            }
             for (level, around) in coarser.iter().zip(&mut around) {
                 for run in level.around(p.position, around) {
                     if run.count() > 0 {
