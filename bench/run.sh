@@ -10,7 +10,7 @@ program=$(realpath "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/scenes.sh"
-known="guide-20 guide-20-no-ledger guide-1000 dense-1000 bed-20k bed-20k-no-ledger polydisperse-20k bed-100k gas-100k bed-1m bed-1m-no-ledger"
+known="guide-20 guide-20-no-ledger guide-1000 dense-1000 bed-20k bed-20k-no-ledger polydisperse-20k bed-100k gas-100k cluster-16k far-20k giant-100k bed-1m bed-1m-no-ledger"
 scenes=${*:-$known}
 for scene in $scenes; do
     case " $known " in

@@ -38,6 +38,7 @@ discs_of() {
     case $1 in
     guide-20*) count 20 20 ;;
     *-1000) count 1000 50 ;;
+    *-16k) count 16000 50 ;;
     *-20k) count 20000 50 ;;
     *-100k) count 100000 50 ;;
     *-1m) count 1000000 50 ;;
@@ -46,7 +47,7 @@ discs_of() {
 
 # Mass of a disc, kg: the guide's; in the gas lighter, for with the guide's its small discs would fly through each
 # other and the walls.
-mass_of() { case $1 in gas-*) echo 1e-5 ;; *) echo 1e-3 ;; esac; }
+mass_of() { case $1 in gas-* | cluster-*) echo 1e-5 ;; giant-*) echo 1e-6 ;; *) echo 1e-3 ;; esac; }
 
 # Time step, s: Eq. (2) with N_t = 50.
 dt_of() { calculate "3.141592653589793 * sqrt($(mass_of "$1") / $kn) / 50"; }
@@ -55,7 +56,7 @@ dt_of() { calculate "3.141592653589793 * sqrt($(mass_of "$1") / $kn) / 50"; }
 # in each other on the average; a third of it leaves 0.08 r, as in bed-100k.
 gravity_of() {
     case $1 in
-    gas-*) echo 0 ;;
+    gas-* | cluster-* | far-* | giant-*) echo 0 ;;
     *-1m) echo 3.27 ;;
     *) echo 9.81 ;;
     esac
@@ -113,6 +114,12 @@ make_state() {
             --seed 1 --time 1e-5 --energy-every 0 --json -q --out-dir "$work/settling" >/dev/null
         awk '/^$/ { exit } { print }' "$work/settling/trajectory.txt" >"$new"
         ;;
+    cluster-* | far-*) # a dense body in an open plane: one in ten far and fast around it, or one disc 500 m away
+        awk -v n="$n" -v scene="$1" -f "$here/cluster.awk" >"$new"
+        ;;
+    giant-*) # one large disc among small ones, 1:500, all at rest
+        awk -v n="$n" -f "$here/giant.awk" >"$new"
+        ;;
     polydisperse-*) # three sizes, 1:2:3, fallen and at rest; equal masses, for --start knows one
         polydisperse "$n" >"$work/polydisperse.toml"
         "$program" "$work/polydisperse.toml" --seed 1 --time "$(calculate "0.25 * ($scale < 1 ? $scale : 1)")" --restitution 0.3 \
@@ -142,6 +149,7 @@ flags_of() {
     n=$(discs_of "$1")
     case $1 in
     guide-*) echo "-n $n --seed 1 --dt $(dt_of "$1")" ;;
+    cluster-* | far-*) echo "--start $work/$1-$n.frame --no-walls --mass $(mass_of "$1") --gravity 0 --dt $(dt_of "$1")" ;;
     *) echo "--start $work/$1-$n.frame --mass $(mass_of "$1") --gravity $(gravity_of "$1") --dt $(dt_of "$1")" ;;
     esac
 }

@@ -5,12 +5,12 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use glam::DVec2;
-use parsim2d::crowd::Crowd;
 use parsim2d::discs::Discs;
-use parsim2d::force::{Contacts, Force, Tally};
+use parsim2d::engine::{Contacts, Engine};
 use parsim2d::integrator::{Integrator, Motion, SymplecticEuler};
 use parsim2d::neighbours::Neighbours;
 use parsim2d::particle::{Damping, Particle, SpringDashpot};
+use parsim2d::simulation::PlainDiscs;
 
 /// Numbers of discs: in the first cache, in the second, in none.
 const SIZES: [usize; 3] = [1_000, 20_000, 100_000];
@@ -62,59 +62,49 @@ fn bed(n: usize) -> Vec<Particle> {
     (0..n).map(disc).collect()
 }
 
-fn contacts() -> Contacts<SpringDashpot> {
+fn law() -> SpringDashpot {
     let damping = Damping::Coefficient(1.5e-3); // kg/s, the guide's
-    let law = SpringDashpot { stiffness: 5e4, damping, tension: true };
-    Contacts { law, neighbours: Neighbours::default() }
+    SpringDashpot { stiffness: 5e4, damping, tension: true }
 }
 
 /// Every contact found, computed and given to both discs; the list is there already.
 fn contact_pass(n: usize) {
-    let (mut particles, mut contacts, mut tally) = (bed(n), contacts(), Tally::default());
-    contacts.apply(&mut particles, &mut tally);
-    report(
-        "contact_pass",
-        n,
-        || (),
-        |()| {
-            black_box(contacts.apply(black_box(&mut particles), &mut tally));
-        },
-    );
+    let mut discs = PlainDiscs::new(bed(n), DVec2::ZERO, law(), Vec::new());
+    report("contact_pass", n, || (), |()| black_box(&mut discs).update_forces());
 }
 
-fn crowd(particles: Vec<Particle>, has_ledger: bool) -> Crowd<SpringDashpot> {
-    let law = contacts().law;
-    let mut crowd = Crowd::new(particles, DVec2::ZERO, law, Vec::new(), DT, 1);
+fn engine(particles: Vec<Particle>, has_ledger: bool) -> Engine<Contacts<SpringDashpot>> {
+    let mut engine = Engine::new(particles, DVec2::ZERO, law(), Vec::new(), DT, 1);
     if has_ledger {
-        crowd.keep_work_ledger();
+        engine.keep_work_ledger();
     }
-    crowd
+    engine
 }
 
-/// The same as [`contact_pass`] by a crowd on one thread.
+/// The same as [`contact_pass`] by the engine on one thread.
 fn crowd_contact_pass(n: usize) {
-    let mut crowd = crowd(bed(n), false);
-    report("crowd_contact_pass", n, || (), |()| crowd.update_forces());
+    let mut engine = engine(bed(n), false);
+    report("crowd_contact_pass", n, || (), |()| engine.update_forces());
 }
 
 /// The same with the springs' share told apart, for the ledger.
 fn crowd_contact_pass_with_ledger(n: usize) {
-    let mut crowd = crowd(bed(n), true);
-    report("crowd_contact_pass_with_ledger", n, || (), |()| crowd.update_forces());
+    let mut engine = engine(bed(n), true);
+    report("crowd_contact_pass_with_ledger", n, || (), |()| engine.update_forces());
 }
 
-/// A whole step of a crowd on one thread, with its ledger. The bed hangs in the void and wobbles.
+/// A whole step of the engine on one thread, with its ledger. The bed hangs in the void and wobbles.
 fn crowd_step(n: usize) {
-    let mut crowd = crowd(bed(n), true);
-    report("crowd_step", n, || (), |()| SymplecticEuler.step(&mut crowd, DT));
+    let mut engine = engine(bed(n), true);
+    report("crowd_step", n, || (), |()| SymplecticEuler.step(&mut engine, DT));
 }
 
-/// A crowd from nothing: cells, list of near pairs, first forces.
+/// The engine from nothing: cells, list of near pairs, first forces.
 fn crowd_from_nothing(n: usize) {
     let particles = bed(n);
     let begin = || Some(particles.clone());
     report("crowd_from_nothing", n, begin, |discs| {
-        black_box(crowd(discs.take().expect("prepared"), false));
+        black_box(engine(discs.take().expect("prepared"), false));
     });
 }
 

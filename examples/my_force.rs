@@ -7,7 +7,7 @@
 
 use glam::DVec2;
 use parsim2d::analysis::energy::{EnergyLedger, MechanicalEnergy};
-use parsim2d::force::{Force, Tally};
+use parsim2d::force::Force;
 use parsim2d::particle::Particle;
 use parsim2d::scenario::Scenario;
 
@@ -18,7 +18,7 @@ struct Bowl {
 }
 
 impl Force for Bowl {
-    fn apply(&mut self, particles: &mut [Particle], _tally: &mut Tally) -> f64 {
+    fn apply(&mut self, particles: &mut [Particle]) -> f64 {
         let mut stored_energy = 0.0;
         for particle in particles {
             let stretch = particle.position - self.centre;

@@ -8,9 +8,8 @@
 //! Run it: cargo run --example my_law
 
 use glam::DVec2;
-use parsim2d::force::{Contacts, HalfPlane, Walls};
+use parsim2d::force::HalfPlane;
 use parsim2d::integrator::VelocityVerlet;
-use parsim2d::neighbours::Neighbours;
 use parsim2d::particle::{Contact, ContactLaw, Particle};
 use parsim2d::simulation::Simulation;
 
@@ -39,11 +38,9 @@ pub fn main() {
     let law = Hertz { stiffness: 4e6 };
     let mut disc = Particle::at_rest(DVec2::new(0.02, radius + 1e-6), radius, mass);
     disc.velocity.y = -speed;
-    let walls = Walls { law: law.clone(), planes: HalfPlane::square(0.04).to_vec() };
-    let pairs = Contacts { law: law.clone(), neighbours: Neighbours::default() };
-    let forces: Vec<Box<dyn parsim2d::force::Force>> = vec![Box::new(walls), Box::new(pairs)];
+    let (walls, integrator) = (HalfPlane::square(0.04), Box::new(VelocityVerlet));
     let mut simulation =
-        Simulation::new(vec![disc], DVec2::ZERO, forces, Box::new(VelocityVerlet), dt);
+        Simulation::new(vec![disc], DVec2::ZERO, law.clone(), &walls, integrator, dt);
     let mut duration = 0.0;
     while simulation.particles()[0].position.y < 2.0 * radius {
         simulation.step();

@@ -8,5 +8,6 @@ pub mod drift;
 pub mod energy;
 pub mod guard;
 pub mod line;
+pub mod linear;
 pub mod stability;
 pub mod twin;

@@ -22,6 +22,7 @@ pub mod label;
 pub mod paths;
 mod raster;
 pub mod scene;
+pub mod series;
 pub mod speeds;
 pub mod survey;
 pub mod svg;

@@ -1,4 +1,4 @@
-//! Time integrators, side by side: the order of the lines is the whole difference.
+//! Time integrators, side by side: when a method kicks, drifts and asks for forces is the whole difference.
 //!
 //! On entry to `step` and on its return every force belongs to the present state (for velocity
 //! Verlet: to the half-step velocity), so a method may kick first and no first step is special. The energy each gains or loses is told in
@@ -14,10 +14,11 @@ pub trait Motion {
     fn drift(&mut self, dt: f64);
     /// F = F(x, v), every disc.
     fn update_forces(&mut self);
-    /// The discs themselves, for methods that need more than kicks and drifts. Velocities
-    /// changed here and not by `kick` are missing from the work ledger; radii and masses are not an
-    /// integrator's to change: a guard that goes back would not find the old ones.
-    fn particles_mut(&mut self) -> &mut [Particle];
+    /// Changes every disc, of which the id is told too, for methods that need more than kicks and drifts: in any order, by several threads at once if
+    /// there are many discs, so what one becomes may hang on nothing but itself. Velocities changed here and not by `kick`
+    /// are missing from the work ledger; radii and masses are not an integrator's to change: a guard that goes back
+    /// would not find the old ones.
+    fn each(&mut self, change: &(dyn Fn(u32, &mut Particle) + Sync));
 }
 
 /// A way to move the discs on by one time step.

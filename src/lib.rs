@@ -10,12 +10,12 @@
 //! | Eq. (2) `dt = pi sqrt(m / k_n) / N_t` | [`simulation::time_step`] |
 //! | Eq. (3) `v' = v + a dt; x' = x + v' dt` | [`particle::Particle::kick`], [`particle::Particle::drift`], [`integrator::SymplecticEuler`] |
 //!
-//! Reading order, an hour in all: [`particle`] (a disc, a contact, Eq. (1)), [`simulation`] (the clock, Eq. (2)),
-//! [`integrator`] (Eq. (3) in sequence), [`discs`] ([`discs::PlainDiscs`]: m a = m g + sum f_c), [`force`] (the
-//! contact loop, walls). Then what they rest on ([`placement`], [`neighbours`], [`work`]), the fast way ([`crowd`]), what is read off a run
-//! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]),
-//! the report of a run ([`page`]), how what other programs wrote is judged ([`grade`]) and told ([`sheet`]), how students'
-//! programs are built and run ([`workshop`]) and marked ([`marking`]), and the command line ([`cli`]). Arrows between them go
+//! Reading order, an hour in all: [`particle`] (a disc, a contact, Eq. (1)), [`simulation`] (Eq. (2), the step, and
+//! m a = m g + sum f_c in [`simulation::PlainDiscs`]), [`integrator`] (Eq. (3) in sequence), [`force`] (forces of your own, where
+//! walls stand). Then what they rest on ([`placement`], [`neighbours`], [`work`], [`discs`]), the fast way ([`engine`]), what is read off a run
+//! ([`analysis`]), what is written ([`output`]) and drawn ([`figure`]), how a run is described ([`scenario`]) and led to its end ([`session`]),
+//! the report of a run ([`page`]), how students' programs are built, run, judged and told of it
+//! ([`grading`]), and the command line ([`cli`]). Arrows between them go
 //! one way; `tests/arrows.rs` guards them.
 //!
 //! SI units and f64 throughout.
@@ -36,23 +36,24 @@
 #![deny(missing_docs, unsafe_code)]
 
 pub mod analysis;
+pub mod boundary;
 pub mod cli;
-pub mod crowd;
 pub mod discs;
 pub mod echo;
+pub mod engine;
+pub mod field;
 pub mod figure;
 pub mod force;
-pub mod grade;
+pub mod grading;
 pub mod integrator;
-pub mod marking;
 pub mod neighbours;
 pub mod output;
 pub mod page;
+pub mod pair;
 pub mod particle;
 pub mod placement;
-pub mod proof;
 pub mod scenario;
-pub mod sheet;
+pub mod session;
 pub mod simulation;
+pub mod wall;
 pub mod work;
-pub mod workshop;

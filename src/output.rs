@@ -21,6 +21,7 @@ pub mod replace;
 pub mod summary;
 pub mod together;
 pub mod trajectory;
+pub mod written;
 
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,7 @@
 //! Pages for people: one self-contained HTML file, no network, fit for printing.
 //!
 //! What a page says is in [`words`], one typed table for each language; what it shows comes in as
-//! values. [`html`] escapes. [`film`] makes the frames of a run small, [`player`] shows them.
+//! values. `maud` escapes, and [`html`] has the pieces. [`film`] makes the frames of a run small, [`player`] shows them.
 
 pub mod film;
 pub mod gas;

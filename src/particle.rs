@@ -47,7 +47,7 @@ impl Particle {
         self.velocity += self.force / self.mass * dt;
     }
 
-    /// Second half of Eq. (3): x' = x + v dt. `dt` in s.
+    /// Second half of Eq. (3): x' = x + v' dt, with whatever velocity the disc has by now. `dt` in s.
     #[inline]
     pub fn drift(&mut self, dt: f64) {
         self.position += self.velocity * dt;
@@ -126,6 +126,21 @@ pub trait ContactLaw: Send {
     fn spring(&self, contact: &Contact) -> f64;
     /// Energy stored in the contact, J.
     fn stored_energy(&self, contact: &Contact) -> f64;
+    /// The spring and dashpot that this law is for small changes about `contact`, of some overlap: what limits the time
+    /// step, and a vibration's period, follow from it. Here from differences of [`push`](Self::push), to five
+    /// digits or so, for nobody should have to differentiate to try a law.
+    fn linearised(&self, contact: &Contact) -> Linear {
+        Linear::measured(|contact| self.push(contact), contact)
+    }
+}
+
+/// A contact law for small changes about a contact: push = (there) + stiffness d(overlap) + damping d(approach speed).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear {
+    /// How much harder the bodies push for each metre that they are deeper in each other.
+    pub stiffness: f64, // N/m
+    /// How much harder for each m/s that they approach faster.
+    pub damping: f64, // kg/s
 }
 
 /// The guide's contact: a linear spring and a dashpot side by side (Cundall and Strack 1979).
@@ -158,7 +173,7 @@ impl ContactLaw for SpringDashpot {
     /// };
     /// assert!((law.push(&contact) - 0.50075).abs() < 1e-12); // 5e4 * 1e-5 + 1.5e-3 * 0.5 N
     /// ```
-    #[inline]
+    #[inline(always)]
     fn push(&self, contact: &Contact) -> f64 {
         let eta = self.damping.coefficient(self.stiffness, contact.reduced_mass);
         let push = self.stiffness * contact.overlap + eta * contact.approach_speed;
@@ -173,6 +188,12 @@ impl ContactLaw for SpringDashpot {
     #[inline]
     fn stored_energy(&self, contact: &Contact) -> f64 {
         0.5 * self.stiffness * contact.overlap * contact.overlap
+    }
+
+    /// k_n, and eta_n of the contact's reduced mass; also where a clipped force is 0.
+    fn linearised(&self, contact: &Contact) -> Linear {
+        let damping = self.damping.coefficient(self.stiffness, contact.reduced_mass);
+        Linear { stiffness: self.stiffness, damping }
     }
 }
 
@@ -204,5 +225,20 @@ impl Damping {
             Self::Rate(gamma) => reduced_mass * gamma,
             Self::Ratio(zeta) => 2.0 * zeta * (stiffness * reduced_mass).sqrt(),
         }
+    }
+}
+
+impl Linear {
+    /// The slopes of `push` (N) about `contact`, which must have some overlap: central differences, so small that their curvature
+    /// takes off as little as rounding does.
+    fn measured(push: impl Fn(&Contact) -> f64, contact: &Contact) -> Self {
+        let deeper = |by| push(&Contact { overlap: contact.overlap + by, ..*contact });
+        let small = 1e-5 * contact.overlap; // m
+        let stiffness = (deeper(small) - deeper(-small)) / (2.0 * small);
+        let faster =
+            |by| push(&Contact { approach_speed: contact.approach_speed + by, ..*contact });
+        // As fast as a vibration of so small a width; not 0, where nothing is stiff.
+        let slow = small * (stiffness.abs() / contact.reduced_mass).sqrt().max(1e-9); // m/s
+        Self { stiffness, damping: (faster(slow) - faster(-slow)) / (2.0 * slow) }
     }
 }

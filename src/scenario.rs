@@ -15,12 +15,14 @@ pub mod finding;
 pub mod framed;
 pub mod gravity;
 pub mod judgement;
+pub mod key;
+pub mod keys;
 mod malformed;
 pub mod memory;
 pub mod notes;
 mod number;
 mod offers;
-mod output_choices;
+mod output_plan;
 mod overlap;
 mod place;
 pub mod post_mortem;
@@ -42,66 +44,21 @@ use glam::DVec2;
 
 use self::error::ScenarioError;
 use self::framed::FramedDiscs;
-use self::gravity::Gravity;
-pub use self::output_choices::OutputChoices;
-use self::preset::Preset;
-use self::settings::{IntegratorName, PlacementName};
+pub use self::keys::{OutputChoices, Scenario};
+use self::settings::IntegratorName;
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
+use crate::analysis::linear::{Linear, linear};
 use crate::analysis::stability::{self, Assembly, Limit, Species};
-use crate::crowd::{Crowd, WORTH_SHARING};
-use crate::discs::{Discs, PlainDiscs};
-use crate::force::{Contacts, HalfPlane, Walls};
+use crate::discs::Discs;
+use crate::engine::{Engine, WORTH_SHARING};
+use crate::force::HalfPlane;
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
-use crate::neighbours::Neighbours;
 use crate::output::frames::layout::Layout;
 use crate::particle::{Damping, Particle, SpringDashpot};
-use crate::simulation::{Simulation, time_step};
+use crate::simulation::{PlainDiscs, Simulation, time_step};
 
 /// Fewer discs than this are stepped the plain way: nothing is gained by storing them by cell.
 const CROWD: usize = 100;
-
-/// Every choice of a run, checked. SI units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scenario {
-    /// The set of parameters the run started from.
-    pub preset: Preset,
-    /// Seed of all random numbers.
-    pub seed: u64,
-    /// Side of the box, m.
-    pub side: f64,
-    /// Radius of discs that do not say their own, m.
-    pub radius: f64,
-    /// Mass of discs that do not say their own, kg.
-    pub mass: f64,
-    /// Gravity, m/s2.
-    pub gravity: Gravity,
-    /// Normal stiffness k_n, N/m.
-    pub stiffness: f64,
-    /// Damping of contacts.
-    pub damping: DampingChoice,
-    /// Whether contacts may pull as they end.
-    pub tension: bool,
-    /// Whether the box has walls.
-    pub walls: bool,
-    /// How the time step is chosen.
-    pub step: StepChoice,
-    /// Who chose it.
-    pub dt_set_by: DtSetBy,
-    /// Simulated end time, s.
-    pub time: f64,
-    /// Time integrator.
-    pub integrator: IntegratorName,
-    /// Whether an unstable time step is run all the same.
-    pub allow_unstable: bool,
-    /// How random discs are placed.
-    pub placement: PlacementName,
-    /// Rms speed at the start of discs that do not say their own, m/s.
-    pub speed: f64,
-    /// Where the discs come from.
-    pub discs: DiscSource,
-    /// What is written, where and how often.
-    pub output: OutputChoices,
-}
 
 /// How contacts are damped, as said by the user.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -260,6 +217,12 @@ impl Scenario {
         }
     }
 
+    /// The spring and dashpot that the contact law is for small changes of a contact of this reduced mass (kg): all
+    /// that closed forms and the diagnosis know of it.
+    pub fn linear(&self, reduced_mass: f64) -> Linear {
+        linear(&self.law(), self.radius, reduced_mass)
+    }
+
     /// When a contact ends under this scenario's law.
     pub fn contact_end(&self) -> ContactEnd {
         if self.tension { ContactEnd::OverlapZero } else { ContactEnd::ForceZero }
@@ -292,21 +255,37 @@ impl Scenario {
 
     /// What the stable limit depends on.
     pub(crate) fn assembly(&self) -> Assembly {
-        Assembly::of(&self.species(), self.walls.then_some(self.side))
+        Assembly::of(&self.species(), self.walled_side())
     }
 
     /// The time step, s. Eq. (2) takes the lightest disc's mass.
     pub fn dt(&self) -> f64 {
         match self.step {
-            StepChoice::Nt(nt) => time_step(self.mass_range().0, self.stiffness, nt),
+            StepChoice::Nt(nt) => self.eq_2(nt),
             StepChoice::Seconds(dt) => dt,
             StepChoice::Auto => stability::AUTO * self.limit().dt,
         }
     }
 
+    /// Eq. (2): the time step of this N_t, s.
+    fn eq_2(&self, nt: f64) -> f64 {
+        let (lightest, _) = self.mass_range();
+        time_step(lightest, self.linear(lightest).stiffness, nt)
+    }
+
+    /// N_t of the time step, whoever set it.
+    pub fn steps_per_contact(&self) -> f64 {
+        self.eq_2(1.0) / self.dt()
+    }
+
     /// Number of steps: `time / dt`, rounded.
     pub fn steps(&self) -> u64 {
         (self.time / self.dt()).round() as u64
+    }
+
+    /// Side of the box, m, if it has walls.
+    pub fn walled_side(&self) -> Option<f64> {
+        self.walls.then_some(self.side)
     }
 
     /// Gravity as a vector, m/s2.
@@ -321,26 +300,24 @@ impl Scenario {
 
     /// Puts the simulation together of `discs` that [`place`](Self::place) gave, at t = 0.
     pub fn build_of(&self, discs: Vec<Particle>) -> Simulation {
-        self.assemble(discs, self.is_crowd())
+        self.assemble(discs, self.is_many())
     }
 
     /// Whether there are so many discs that storing them by cell pays.
-    fn is_crowd(&self) -> bool {
+    fn is_many(&self) -> bool {
         self.n() >= CROWD
     }
 
-    /// Puts the simulation of these discs together, at t = 0: as a crowd, or the plain way, one thing
+    /// Puts the simulation of these discs together, at t = 0: as the engine, or the plain way, one thing
     /// after the other in id order. Both have the same bits.
-    pub fn assemble(&self, particles: Vec<Particle>, as_crowd: bool) -> Simulation {
+    pub fn assemble(&self, particles: Vec<Particle>, by_engine: bool) -> Simulation {
         let (law, gravity, dt) = (self.law(), self.gravity_vector(), self.dt());
         let square = HalfPlane::square(self.side);
         let planes = if self.walls { square.to_vec() } else { Vec::new() };
-        let discs: Box<dyn Discs> = if as_crowd {
-            Box::new(Crowd::new(particles, gravity, law, planes, dt, self.threads()))
+        let discs: Box<dyn Discs> = if by_engine {
+            Box::new(Engine::new(particles, gravity, law, planes, dt, self.threads()))
         } else {
-            let walls = Box::new(Walls { law, planes });
-            let contacts = Box::new(Contacts { law, neighbours: Neighbours::default() });
-            Box::new(PlainDiscs::new(particles, gravity, vec![walls, contacts]))
+            Box::new(PlainDiscs::new(particles, gravity, law, planes))
         };
         Simulation::of(discs, self.new_integrator(), dt)
     }
@@ -356,12 +333,12 @@ impl Scenario {
     /// Threads that share the steps: those said, or one for each core where that pays; one where there
     /// is nothing to share.
     pub fn threads(&self) -> usize {
-        if !self.is_crowd() {
+        if !self.is_many() {
             return 1;
         }
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let usual = || if self.n() < WORTH_SHARING { 1 } else { cores() };
-        self.output.threads.unwrap_or_else(usual)
+        self.output.threads.map_or_else(usual, |threads| threads as usize)
     }
 }
 

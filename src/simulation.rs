@@ -1,25 +1,35 @@
-//! The simulation: discs, the forces on them, the clock, and one time step.
+//! The simulation: discs, what pushes them, the clock, and one time step.
 //!
-//! m a = m g + sum f_c: the [`Discs`] add the right-hand side up, an [`Integrator`] turns it into
-//! motion. Here too: Eq. (2), the time step, and the placing of the discs.
+//! Here are Eq. (2), the time step; the placing of the discs; the sum of all forces on each disc,
+//! m a = m g + sum f_c ([`PlainDiscs::update_forces`](Motion::update_forces)); and [`Simulation::step`]. From there it is
+//! three calls to Eq. (1): the integrator's `step`, `update_forces`, and the law's `push`.
 
+mod clock;
+mod fingerprint;
+mod plain;
+mod readings;
+pub mod restore_point;
 pub mod state;
 
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use crate::discs::{Discs, Kept, PlainDiscs, Remembered, Snapshot};
-use crate::force::Force;
-use crate::integrator::Integrator;
-use crate::particle::Particle;
+use self::clock::Clock;
+pub use self::state::State;
+use crate::discs::Discs;
+use crate::discs::columns::Columns;
+use crate::force::{Force, HalfPlane};
+use crate::integrator::{Integrator, Motion};
+use crate::neighbours::Neighbours;
+use crate::particle::{Contact, ContactLaw, Particle};
 use crate::placement::{self, PlacementError};
-use crate::work::Works;
 
 /// Eq. (2): dt = tau / N_t = pi sqrt(m / k_n) / N_t, in s.
 ///
 /// tau is the time a disc of mass `mass` (kg) spends in an undamped contact with a wall of
-/// stiffness `stiffness` (N/m); two equal discs part sooner, after tau / sqrt(2).
+/// stiffness `stiffness` (N/m), and `steps_per_contact` is N_t; two equal discs part sooner, after tau / sqrt(2).
+/// Of another law, take the stiffness that [`ContactLaw::linearised`] has at the overlap to be expected.
 ///
 /// ```
 /// let dt = parsim2d::simulation::time_step(1e-3, 5e4, 50.0);
@@ -46,33 +56,75 @@ pub fn place_discs(
     Ok(discs)
 }
 
-/// A state of one simulation, for this to come back to.
-#[derive(Default)]
-pub struct KeptState {
-    discs: Kept,
-    steps: u64,
+/// Discs in id order, one force after the other: the plain way. An [`Engine`](crate::engine::Engine) does the same for many
+/// discs, fast, and to the same bits.
+pub struct PlainDiscs<L> {
+    particles: Vec<Particle>,
+    gravity: DVec2, // m/s2
+    /// Forces of your own.
+    forces: Vec<Box<dyn Force>>,
+    /// The contact law, the same at walls and between discs.
+    law: L,
+    walls: Vec<HalfPlane>,
+    /// Which discs may touch.
+    neighbours: Neighbours,
+    /// What is remembered beside the particles: overlaps, energies, the ledger's books.
+    books: Columns,
 }
 
-impl KeptState {
-    /// Steps done until then.
-    pub fn steps(&self) -> u64 {
-        self.steps
+impl<L: ContactLaw> Motion for PlainDiscs<L> {
+    /// The right-hand side of m a = m g + sum f_c, on each disc: its weight, forces of your own, walls, and other discs in
+    /// ascending id.
+    ///
+    /// A wall is a body of infinite mass. Pairs come in lexicographic order (i < j), whatever found them, and each push
+    /// is given to both: so the sum has the bits of every disc gathering its own. (`books` listen; they push nobody.)
+    fn update_forces(&mut self) {
+        let Self { particles, gravity, forces, law, walls, neighbours, books } = self;
+        books.begin_forces();
+        for disc in particles.iter_mut() {
+            disc.force = disc.mass * *gravity; // the weight, m g
+        }
+        for force in forces {
+            books.add_force(force.as_mut(), particles);
+        }
+        // f_c by Eq. (1), at walls: the normal points to the wall, so the push goes the other way.
+        for (i, disc) in particles.iter_mut().enumerate() {
+            for wall in walls.iter() {
+                let distance = wall.distance(disc.position);
+                if let Some(contact) = Contact::with_wall(disc, distance, wall.normal) {
+                    let push = law.push(&contact);
+                    disc.force -= push * contact.normal;
+                    books.touch_wall((i, disc), &contact, law, push);
+                }
+            }
+        }
+        // f_c by Eq. (1), between discs: on j what is on i, with the other sign.
+        neighbours.refresh(particles);
+        for (i, j) in neighbours.pairs() {
+            if let Some(contact) = Contact::between(&particles[i], &particles[j]) {
+                let push = law.push(&contact);
+                particles[i].force -= push * contact.normal;
+                particles[j].force += push * contact.normal;
+                books.touch_pair((i, j, particles), &contact, law, push);
+            }
+        }
     }
-}
 
-/// The state of a simulation between two steps.
-#[derive(Clone)]
-pub struct State {
-    /// What the discs remember.
-    pub(crate) discs: Snapshot,
-    /// Steps done.
-    pub(crate) steps: u64,
-}
+    /// v' = v + a dt, every disc.
+    fn kick(&mut self, dt: f64) {
+        match self.books.shares.is_empty() {
+            true => self.particles.iter_mut().for_each(|disc| disc.kick(dt)),
+            false => self.kick_and_book(dt), // the same kicks
+        }
+    }
 
-impl State {
-    /// Steps done.
-    pub fn steps(&self) -> u64 {
-        self.steps
+    /// x' = x + v dt, every disc.
+    fn drift(&mut self, dt: f64) {
+        self.particles.iter_mut().for_each(|disc| disc.drift(dt));
+    }
+
+    fn each(&mut self, change: &(dyn Fn(u32, &mut Particle) + Sync)) {
+        self.particles.iter_mut().zip(0..).for_each(|(disc, id)| change(id, disc));
     }
 }
 
@@ -80,131 +132,54 @@ impl State {
 pub struct Simulation {
     discs: Box<dyn Discs>,
     integrator: Box<dyn Integrator>,
-    dt: f64, // s
-    steps: u64,
+    clock: Clock,
 }
 
 impl Simulation {
-    /// A simulation at t = 0, the plain way. `gravity` is the acceleration vector g in m/s2, `dt` the
-    /// time step in s, `forces` the contacts; others join by [`add_force`](Self::add_force).
+    /// A simulation at t = 0, the plain way. `gravity` is the acceleration vector g in m/s2; discs touch each other and
+    /// the `walls` by `law`; `dt` is the time step in s. Other forces join by [`add_force`](Self::add_force).
     pub fn new(
         particles: Vec<Particle>,
         gravity: DVec2,
-        forces: Vec<Box<dyn Force>>,
+        law: impl ContactLaw + 'static,
+        walls: &[HalfPlane],
         integrator: Box<dyn Integrator>,
         dt: f64,
     ) -> Self {
-        let discs = PlainDiscs::new(particles, gravity, forces);
+        let discs = PlainDiscs::new(particles, gravity, law, walls.to_vec());
         Self::of(Box::new(discs), integrator, dt)
     }
 
     /// A simulation of these discs at t = 0.
     pub fn of(discs: Box<dyn Discs>, integrator: Box<dyn Integrator>, dt: f64) -> Self {
-        Self { discs, integrator, dt, steps: 0 }
+        Self { discs, integrator, clock: Clock::new(dt) }
     }
 
-    /// One time step.
+    /// One time step: the integrator moves the discs on by dt, asking for forces when it needs them.
     pub fn step(&mut self) {
-        self.step_until(self.steps + 1);
+        let dt = self.begin_step();
+        self.integrator.step(self.discs.as_motion(), dt);
+        self.discs.end_step(dt);
+        self.discs.settle();
     }
 
     /// Time steps until `end` steps are done: the same as so many times [`step`](Self::step), and
-    /// faster for many discs.
+    /// faster for many discs, which are brought up to date at the end only.
     pub fn step_until(&mut self, end: u64) {
-        while self.steps < end {
-            self.integrator.step(self.discs.as_motion(), self.dt);
-            self.discs.end_step(self.dt);
-            self.steps += 1;
+        while self.steps() < end {
+            let dt = self.begin_step();
+            self.integrator.step(self.discs.as_motion(), dt);
+            self.discs.end_step(dt);
         }
         self.discs.settle();
     }
 
-    /// Simulated time, s: steps done times the time step.
-    pub fn time(&self) -> f64 {
-        self.steps as f64 * self.dt
-    }
-
-    /// The time step, s.
-    pub fn dt(&self) -> f64 {
-        self.dt
-    }
-
-    /// Steps done.
-    pub fn steps(&self) -> u64 {
-        self.steps
-    }
-
-    /// The discs, in id order.
-    pub fn particles(&self) -> &[Particle] {
-        self.discs.particles()
-    }
-
-    /// The discs one after the other, in id order; for many discs cheaper than
-    /// [`particles`](Self::particles).
-    pub fn each_particle(&self) -> impl Iterator<Item = &Particle> {
-        (0..self.discs.count()).map(|id| self.discs.particle(id))
-    }
-
-    /// The discs as they lie in memory, and the id of each; empty if they lie in id order.
-    pub fn as_stored(&self) -> (&[Particle], &[u32]) {
-        let Remembered { particles, ids, .. } = self.discs.remembered();
-        (particles, ids)
-    }
-
-    /// Number of discs.
-    pub fn n(&self) -> usize {
-        self.discs.count()
-    }
-
-    /// The sum of `quantity` over all discs, added in a fixed order.
-    pub fn sum_over(&self, quantity: impl Fn(&Particle) -> f64 + Sync) -> f64 {
-        self.discs.sum(&quantity)
-    }
-
-    /// Acceleration of gravity as a vector, m/s2.
-    pub fn gravity(&self) -> DVec2 {
-        self.discs.gravity()
-    }
-
-    /// Energy stored in contacts (and other forces) in the present state, J.
-    pub fn stored_energy(&self) -> f64 {
-        self.discs.stored_energy()
-    }
-
-    /// The largest overlap so far, start included, as a fraction of the smaller radius.
-    pub fn largest_overlap(&self) -> f64 {
-        self.largest_pair_overlap().max(self.largest_wall_overlap())
-    }
-
-    /// The same between discs only.
-    pub fn largest_pair_overlap(&self) -> f64 {
-        self.discs.tally().largest_pair_overlap
-    }
-
-    /// How far the centres of two discs have come towards each other so far: their overlap over the
-    /// sum of their radii, 1 once they meet; 0 as long as no overlap was larger than a radius.
-    pub fn largest_sinking(&self) -> f64 {
-        self.discs.tally().largest_sinking
-    }
-
-    /// The same at walls only.
-    pub fn largest_wall_overlap(&self) -> f64 {
-        self.discs.tally().largest_wall_overlap
-    }
-
-    /// Works gathered since [`keep_work_ledger`](Self::keep_work_ledger), if it was called.
-    pub fn works(&self) -> Option<&Works> {
-        self.discs.works()
-    }
-
-    /// Lists of near pairs made so far, where discs are many enough for it to matter.
-    pub fn lists_made(&self) -> u64 {
-        self.discs.lists_made()
-    }
-
-    /// From now on, books the work of every force at every kick.
-    pub fn keep_work_ledger(&mut self) {
-        self.discs.keep_work_ledger();
+    /// Moves the clock on, tells the discs, and says how long the step is, s.
+    fn begin_step(&mut self) -> f64 {
+        let (from, dt) = (self.time(), self.dt());
+        self.clock.tick();
+        self.discs.begin_step(from, self.time());
+        dt
     }
 
     /// Steps with another integrator from now on.
@@ -212,17 +187,34 @@ impl Simulation {
         self.integrator = integrator;
     }
 
-    /// Adds a force that is not a contact. If it stores energy its work is booked as a spring's is, else as
-    /// external. From now on the discs are stepped the plain way, in id order.
+    /// Steps by another `dt` (s) from now on.
+    pub fn set_dt(&mut self, dt: f64) {
+        self.clock.set_dt(dt);
+        self.discs.set_dt(dt);
+    }
+
+    /// Adds a force of your own. If it stores energy its work is booked as a spring's is, else as supplied from outside.
+    /// From now on the discs are stepped the plain way, in id order.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
-        let none: Box<dyn Discs> = Box::new(PlainDiscs::new(Vec::new(), DVec2::ZERO, Vec::new()));
-        let discs = std::mem::replace(&mut self.discs, none);
-        self.discs = discs.with_force(force);
+        if let Some(others) = self.discs.add_force(force) {
+            self.discs = others;
+        }
+    }
+
+    /// Puts one more disc in between two steps; it has the highest id. Energies that come with it are booked as inflow.
+    pub fn insert(&mut self, disc: Particle) {
+        self.discs.insert(disc);
+    }
+
+    /// Takes the disc of this id out between two steps, and gives it back. Higher ids move down by one; energies that go
+    /// with it are booked as inflow, less than nothing.
+    pub fn remove(&mut self, id: usize) -> Particle {
+        self.discs.remove(id)
     }
 
     /// Changes the discs by hand between two steps. Forces follow the change (under velocity Verlet
-    /// from the present velocity on), and the kinetic energy it gave is booked as external work, the rest
-    /// as energy given by hand. A change that changes nothing leaves the run as it was, to the bit.
+    /// from the present velocity on), and the energy it gave is booked as given by hand. A change that changes nothing
+    /// leaves the run as it was, to the bit.
     pub fn act(&mut self, change: impl FnOnce(&mut [Particle])) {
         let mut change = Some(change);
         self.discs.act(&mut |particles| {
@@ -230,43 +222,5 @@ impl Simulation {
                 change(particles);
             }
         });
-    }
-
-    /// All that is remembered between two steps, to come back to.
-    pub fn state(&self) -> State {
-        State { discs: self.discs.snapshot(), steps: self.steps }
-    }
-
-    /// Goes back to `state`: the steps from there on have the same bits as the first time.
-    pub fn set_state(&mut self, state: &State) {
-        self.steps = state.steps;
-        self.discs.restore(&state.discs);
-    }
-
-    /// Keeps the present state in `kept`, in place of what was there: for this simulation to come back
-    /// to, in less memory than [`state`](Self::state) takes.
-    pub fn keep(&self, kept: &mut KeptState) {
-        self.discs.keep(&mut kept.discs);
-        kept.steps = self.steps;
-    }
-
-    /// Goes back to the state that was `kept` of this simulation.
-    pub fn go_back(&mut self, kept: &KeptState) {
-        self.steps = kept.steps;
-        self.discs.go_back(&kept.discs);
-    }
-
-    /// A 64-bit fingerprint of the state: FNV-1a (Fowler, Noll, Vo) over the step and then, in
-    /// id order, x, y, vx, vy, r, m of each disc, all as little-endian bytes.
-    pub fn state_hash(&self) -> u64 {
-        let words = self.each_particle().flat_map(|p| {
-            let (x, v) = (p.position, p.velocity);
-            [x.x, x.y, v.x, v.y, p.radius, p.mass].map(f64::to_bits)
-        });
-        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-        for byte in std::iter::once(self.steps).chain(words).flat_map(u64::to_le_bytes) {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-        hash
     }
 }

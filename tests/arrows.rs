@@ -4,17 +4,41 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Which rooms each room may know. A room is a file or folder of `src/`.
-const ARROWS: [(&str, &[&str]); 24] = [
+use crate::support::imports::{Sources, circles};
+
+/// Which rooms each room may know. A room is a file or folder of `src/`, or of `src/grading/`.
+const ARROWS: [(&str, &[&str]); 30] = [
     ("particle", &[]),
+    ("boundary", &[]),
+    ("field", &["particle"]),
+    ("wall", &["force"]),
+    ("pair", &["particle", "boundary"]),
     ("neighbours", &["particle"]),
     ("integrator", &["particle"]),
-    ("force", &["particle", "neighbours"]),
-    ("work", &["particle", "force"]),
+    ("force", &["particle"]),
+    ("work", &["particle"]),
     ("placement", &["particle", "neighbours"]),
     ("discs", &["particle", "force", "integrator", "work"]),
-    ("crowd", &["particle", "neighbours", "force", "integrator", "work", "discs"]),
-    ("simulation", &["particle", "force", "integrator", "discs", "placement", "work"]),
+    (
+        "simulation",
+        &["particle", "neighbours", "force", "integrator", "discs", "placement", "work"],
+    ),
+    (
+        "engine",
+        &[
+            "particle",
+            "boundary",
+            "field",
+            "wall",
+            "pair",
+            "neighbours",
+            "force",
+            "integrator",
+            "work",
+            "discs",
+            "simulation",
+        ],
+    ),
     ("analysis", &["particle", "neighbours", "work", "simulation"]),
     ("output", &["echo", "simulation", "analysis"]),
     (
@@ -27,35 +51,38 @@ const ARROWS: [(&str, &[&str]); 24] = [
             "force",
             "placement",
             "discs",
-            "crowd",
+            "engine",
             "simulation",
             "analysis",
             "output",
         ],
     ),
+    ("session", &["simulation", "analysis", "output", "scenario"]),
     ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
     ("page", &["analysis", "output", "figure", "scenario"]),
     ("echo", &[]),
-    ("workshop", &[]),
-    ("grade", &["analysis", "figure"]),
-    ("sheet", &["figure", "grade", "output", "page"]),
-    ("marking", &["grade", "sheet", "workshop"]),
-    ("proof", &["grade"]),
+    ("grading::sandbox", &[]),
+    ("grading::judge", &["analysis", "figure"]),
+    ("grading::feedback", &["grading::judge", "figure", "output", "page"]),
+    ("grading::pipeline", &["grading::sandbox", "grading::judge", "grading::feedback"]),
+    ("grading::validation", &["grading::judge"]),
+    ("grading", &[]),
     (
         "cli",
         &[
             "echo",
             "scenario",
+            "session",
             "simulation",
             "analysis",
             "output",
             "figure",
             "page",
-            "grade",
-            "workshop",
-            "sheet",
-            "marking",
-            "proof",
+            "grading::sandbox",
+            "grading::judge",
+            "grading::feedback",
+            "grading::pipeline",
+            "grading::validation",
         ],
     ),
     ("allocator", &[]),
@@ -64,20 +91,46 @@ const ARROWS: [(&str, &[&str]); 24] = [
 ];
 
 /// The outside crates that the physics may know; files and formats, clap and clocks may not.
-const PHYSICS: [&str; 10] = [
+const PHYSICS: [&str; 14] = [
     "particle",
+    "boundary",
+    "field",
+    "wall",
+    "pair",
     "neighbours",
     "integrator",
     "force",
     "work",
     "placement",
     "discs",
-    "crowd",
+    "engine",
     "simulation",
     "analysis",
 ];
 const PHYSICS_CRATES: [&str; 8] =
     ["std", "glam", "wide", "rand", "rand_pcg", "thiserror", "serde", "crate"];
+
+/// Rooms in which a file and those below it still know each other. Each goes when it is rebuilt; none is to be added.
+const STILL_ROUND: [&str; 2] = ["cli", "scenario"];
+
+#[test]
+fn no_two_files_import_each_other_in_a_circle() {
+    let imports = Sources::below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).imports();
+    let count: usize = imports.values().map(|targets| targets.len()).sum();
+    assert!(
+        count > 1000,
+        "only {count} imports were found: does this test still read the sources?"
+    );
+    let is_new = |file: &Vec<String>| !STILL_ROUND.contains(&file[0].as_str());
+    let mut circles = circles(&imports).into_iter();
+    if let Some(circle) = circles.find(|circle| circle.iter().any(is_new)) {
+        let arrows = circle.iter().map(|file| {
+            let others = imports[file].intersection(&circle).map(|other| other.join("/"));
+            format!("\n  {} imports {}", file.join("/"), others.collect::<Vec<_>>().join(", "))
+        });
+        panic!("files import each other in a circle:{}", arrows.collect::<String>());
+    }
+}
 
 #[test]
 fn arrows_go_one_way() {
@@ -87,13 +140,13 @@ fn arrows_go_one_way() {
         let Some(target) = word.strip_prefix("crate::") else {
             continue;
         };
-        let target = target.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap();
+        let target = room_named(target);
         if target == room {
             continue;
         }
         seen += 1;
         let may = allowed.get(room.as_str()).unwrap_or_else(|| panic!("no arrows for room {room}"));
-        assert!(may.contains(&target), "{} uses crate::{target}", path.display());
+        assert!(may.contains(&target.as_str()), "{} uses crate::{target}", path.display());
     }
     assert!(seen > 20, "only {seen} arrows were found: does this test still read the sources?");
 }
@@ -108,8 +161,8 @@ fn paths_in_the_text_follow_the_arrows_too() {
         let text = fs::read_to_string(&path).unwrap();
         let code = text.lines().map(str::trim).filter(|line| !line.starts_with("//"));
         for word in code.flat_map(|line| line.split("crate::").skip(1)) {
-            let target = word.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap();
-            let may = allowed.get(room.as_str()).is_some_and(|may| may.contains(&target));
+            let target = room_named(word);
+            let may = allowed.get(room.as_str()).is_some_and(|may| may.contains(&target.as_str()));
             assert!(may || target == room, "{} names crate::{target}", path.display());
             seen += 1;
         }
@@ -133,11 +186,21 @@ fn physics_knows_no_files_formats_or_command_line() {
     }
 }
 
-/// The file or folder of `source` that `path` belongs to.
+/// The room that `path` belongs to.
 fn room_of(path: &Path, source: &Path) -> String {
-    let inside = path.strip_prefix(source).unwrap();
-    let first = inside.components().next().unwrap().as_os_str();
-    Path::new(first).file_stem().unwrap().to_str().unwrap().to_owned()
+    let inside = path.strip_prefix(source).unwrap().with_extension("");
+    let parts: Vec<_> = inside.iter().map(|part| part.to_str().unwrap()).collect();
+    room_named(&parts.join("::"))
+}
+
+/// The room that a path (what follows `crate::`) leads into.
+fn room_named(path: &str) -> String {
+    let mut names =
+        path.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| !name.is_empty());
+    match (names.next().unwrap(), names.next()) {
+        (house @ "grading", Some(room)) => format!("{house}::{room}"),
+        (room, _) => room.to_owned(),
+    }
 }
 
 /// Every `use` line of `src/`: its room, its file, and what it uses.

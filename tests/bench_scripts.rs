@@ -34,8 +34,17 @@ fn rows(text: &str, head: &str) -> Vec<Vec<String>> {
 
 #[test]
 fn the_bench_runs_every_scene_and_says_speed_memory_and_state() {
-    let scenes =
-        ["guide-20", "dense-1000", "bed-20k-no-ledger", "polydisperse-20k", "gas-100k", "bed-1m"];
+    let scenes = [
+        "guide-20",
+        "dense-1000",
+        "bed-20k-no-ledger",
+        "polydisperse-20k",
+        "gas-100k",
+        "cluster-16k",
+        "far-20k",
+        "giant-100k",
+        "bed-1m",
+    ];
     let text = printed("run.sh", &scenes);
     let rows = rows(&text, "scene,n,steps,threads,");
     for scene in scenes {

@@ -6,7 +6,7 @@
 use parsim2d::output::checkpoint::container::{self, Content, Flaw, Section};
 use parsim2d::output::checkpoint::{self, Checkpoint, Progress};
 use parsim2d::output::growing::Extent;
-use parsim2d::output::recorder::continued::Written;
+use parsim2d::output::written::Written;
 use parsim2d::scenario::Scenario;
 use parsim2d::scenario::settings::Settings;
 use parsim2d::simulation::State;
@@ -29,6 +29,7 @@ fn progress(step: u64, numbers: [f64; 5]) -> Progress {
         gravitational_at_start_J: gravitational,
         elastic_at_start_J: elastic,
         movable_at_start_J: movable,
+        supplied_at_start_J: 0.0,
         overlap_at_start: overlap,
         grown_at: Some(64),
         written: Written {
@@ -91,7 +92,7 @@ fn a_state_comes_back_with_every_bit_and_steps_on_alike() {
         for ((name, there), (_, back)) in arrays.iter().zip(named(&state)) {
             assert_eq!(bits(there), bits(&back), "{name}");
         }
-        let mut other = scenario.assemble(state.particles(), state.is_of_crowd());
+        let mut other = scenario.assemble(state.particles(), state.is_of_engine());
         other.set_state(&state);
         for _ in 0..2000 {
             simulation.step();
@@ -132,7 +133,7 @@ fn a_checkpoint_begins_with_its_scenario_in_plain_text() {
     let checkpoint = checkpoint();
     let bytes = sealed(&checkpoint.sections());
     let head: Vec<&[u8]> = bytes.split(|&byte| byte == b'\n').take(12).collect();
-    assert_eq!(head[0], b"parsim2d checkpoint 1");
+    assert_eq!(head[0], b"parsim2d checkpoint 2");
     assert!(head[1].starts_with(b"section scenario text "));
     assert!(head.contains(&&b"n = 12"[..]) && head.contains(&&b"seed = 5"[..]));
     assert_eq!(Checkpoint::from_bytes(&bytes).unwrap(), checkpoint);
@@ -140,7 +141,7 @@ fn a_checkpoint_begins_with_its_scenario_in_plain_text() {
 
 /// A checkpoint as the format tells it, put together from whole arrays.
 fn plainly_written(sections: &[(String, Content)]) -> Vec<u8> {
-    let mut file = b"parsim2d checkpoint 1\n".to_vec();
+    let mut file = b"parsim2d checkpoint 2\n".to_vec();
     for (name, content) in sections {
         let (kind, bytes) = match content {
             Content::Text(text) => ("text", text.clone().into_bytes()),
@@ -161,13 +162,13 @@ fn plainly_written(sections: &[(String, Content)]) -> Vec<u8> {
 #[test]
 fn a_file_written_a_piece_at_a_time_has_the_bytes_of_the_format() {
     // Discs of more and of less than one piece, in rows of eight, four, two and one number.
-    for (n, is_crowd, ledger) in
+    for (n, by_engine, ledger) in
         [(12, false, true), (3000, false, true), (3000, true, true), (3000, true, false)]
     {
         let text = format!("{TEXT}placement = 'lattice'\n").replace("n = 12", &format!("n = {n}"));
         let text = text.replace("radius = 4e-4", "radius = 2e-4");
         let scenario = Scenario::from_toml(&text).unwrap();
-        let mut simulation = scenario.assemble(scenario.place().unwrap(), is_crowd);
+        let mut simulation = scenario.assemble(scenario.place().unwrap(), by_engine);
         if ledger {
             simulation.keep_work_ledger();
         }
@@ -175,7 +176,7 @@ fn a_file_written_a_piece_at_a_time_has_the_bytes_of_the_format() {
         let progress = progress(20, [0.1; 5]);
         let streamed = sealed(&checkpoint::sections(&text, &progress, simulation.arrays()));
         let read = container::read(&streamed).unwrap();
-        assert!(streamed == plainly_written(&read), "{n} discs, a crowd: {is_crowd}");
+        assert!(streamed == plainly_written(&read), "{n} discs, the engine: {by_engine}");
         let arrays = simulation.state().arrays();
         assert_eq!(arrays.len() + 2, read.len());
         for ((name, there), (other, back)) in arrays.iter().zip(&read[2..]) {
@@ -231,7 +232,7 @@ proptest! {
     #[test]
     fn no_bytes_make_the_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         prop_assert!(Checkpoint::from_bytes(&bytes).is_err());
-        let begun = [b"parsim2d checkpoint 1\n".to_vec(), bytes].concat();
+        let begun = [b"parsim2d checkpoint 2\n".to_vec(), bytes].concat();
         prop_assert!(Checkpoint::from_bytes(&begun).is_err());
     }
 }

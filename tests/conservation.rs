@@ -1,12 +1,13 @@
 //! Momentum, symmetry, and sums that do not depend on who found the pairs.
 
-use crate::support::{INTEGRATORS, MASS, RADIUS, contacts, disc_at, law};
+use crate::support::{ELASTIC, INTEGRATORS, MASS, RADIUS, disc_at, law};
 use glam::DVec2;
-use parsim2d::force::{Force, Tally};
+use parsim2d::force::Force;
 use parsim2d::integrator::Motion;
 use parsim2d::neighbours::all_pairs;
 use parsim2d::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
 use parsim2d::simulation::{Simulation, place_discs};
+use parsim2d::work::Channel;
 
 fn damped() -> SpringDashpot {
     law(Damping::Coefficient(0.3))
@@ -27,8 +28,8 @@ fn implosion() -> Vec<Particle> {
 #[test]
 fn momentum_is_constant_to_round_off() {
     for (name, integrator) in INTEGRATORS {
-        let forces = vec![contacts(damped())];
-        let mut simulation = Simulation::new(implosion(), DVec2::ZERO, forces, integrator(), 5e-6);
+        let mut simulation =
+            Simulation::new(implosion(), DVec2::ZERO, damped(), &[], integrator(), 5e-6);
         let momentum =
             |s: &Simulation| s.particles().iter().map(|p| p.mass * p.velocity).sum::<DVec2>();
         let start = momentum(&simulation);
@@ -49,8 +50,8 @@ fn a_mirrored_start_gives_the_mirrored_run_to_the_bit() {
                 disc.position *= mirror;
                 disc.velocity *= mirror;
             }
-            let forces = vec![contacts(damped())];
-            let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, integrator(), 5e-6);
+            let mut simulation =
+                Simulation::new(discs, DVec2::ZERO, damped(), &[], integrator(), 5e-6);
             (0..5000).for_each(|_| simulation.step());
             simulation.particles().iter().map(|p| p.position * mirror).collect::<Vec<_>>()
         };
@@ -65,7 +66,7 @@ fn a_mirrored_start_gives_the_mirrored_run_to_the_bit() {
 struct GatheredContacts(SpringDashpot);
 
 impl Force for GatheredContacts {
-    fn apply(&mut self, particles: &mut [Particle], _tally: &mut Tally) -> f64 {
+    fn apply(&mut self, particles: &mut [Particle]) -> f64 {
         let before = particles.to_vec();
         for (i, disc) in particles.iter_mut().enumerate() {
             for j in (0..before.len()).filter(|&j| j != i) {
@@ -80,14 +81,18 @@ impl Force for GatheredContacts {
 
 #[test]
 fn the_contact_sweep_has_the_bits_of_every_disc_gathering_in_ascending_id() {
-    let run = |force: Box<dyn Force>| {
-        let mut simulation =
-            Simulation::new(implosion(), DVec2::ZERO, vec![force], INTEGRATORS[0].1(), 5e-6);
+    // A law that never pushes, where the force is another's.
+    let nothing = SpringDashpot { stiffness: 0.0, ..law(ELASTIC) };
+    let run = |law: SpringDashpot, other: Option<Box<dyn Force>>| {
+        let integrator = INTEGRATORS[0].1();
+        let mut simulation = Simulation::new(implosion(), DVec2::ZERO, law, &[], integrator, 5e-6);
+        other.into_iter().for_each(|force| simulation.add_force(force));
         (0..4000).for_each(|_| simulation.step());
         assert!(simulation.time() > 0.0);
         simulation.state_hash()
     };
-    assert_eq!(run(contacts(damped())), run(Box::new(GatheredContacts(damped()))));
+    let gathered = run(nothing, Some(Box::new(GatheredContacts(damped()))));
+    assert_eq!(run(damped(), None), gathered);
 }
 
 #[test]
@@ -100,9 +105,14 @@ fn every_pair_is_visited_once_and_in_order_by_the_oracle() {
 fn the_work_ledger_changes_no_bit_of_the_motion() {
     for (name, integrator) in INTEGRATORS {
         let run = |with_ledger: bool| {
-            let forces = vec![contacts(damped())];
-            let mut simulation =
-                Simulation::new(implosion(), DVec2::new(0.0, -9.81), forces, integrator(), 5e-6);
+            let mut simulation = Simulation::new(
+                implosion(),
+                DVec2::new(0.0, -9.81),
+                damped(),
+                &[],
+                integrator(),
+                5e-6,
+            );
             if with_ledger {
                 simulation.keep_work_ledger();
             }
@@ -114,13 +124,14 @@ fn the_work_ledger_changes_no_bit_of_the_motion() {
 }
 
 #[test]
-fn a_change_by_hand_is_booked_as_external_work() {
+fn a_change_by_hand_is_booked_as_given_by_hand() {
     let discs = vec![disc_at(DVec2::ZERO, DVec2::new(1.0, 0.0))];
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, vec![], INTEGRATORS[0].1(), 1e-3);
+    let mut simulation =
+        Simulation::new(discs, DVec2::ZERO, damped(), &[], INTEGRATORS[0].1(), 1e-3);
     simulation.keep_work_ledger();
     simulation.act(|discs| discs[0].velocity *= 3.0);
     // m/2 (9 - 1) v² = 4e-3 J
-    assert!((simulation.works().unwrap().external.value() - 4e-3).abs() < 1e-17);
+    assert!((simulation.works().unwrap().work(Channel::Hand) - 4e-3).abs() < 1e-17);
 }
 
 /// A custom integrator sees the discs themselves.
@@ -128,7 +139,7 @@ struct Teleport;
 
 impl parsim2d::integrator::Integrator for Teleport {
     fn step(&mut self, discs: &mut dyn Motion, dt: f64) {
-        discs.particles_mut()[0].position.x += dt;
+        discs.each(&|_, disc| disc.position.x += dt);
         discs.update_forces();
     }
 }
@@ -136,7 +147,8 @@ impl parsim2d::integrator::Integrator for Teleport {
 #[test]
 fn an_integrator_from_outside_may_move_discs_as_it_likes() {
     let discs = vec![disc_at(DVec2::ZERO, DVec2::ZERO)];
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, vec![], Box::new(Teleport), 0.5);
+    let mut simulation =
+        Simulation::new(discs, DVec2::ZERO, damped(), &[], Box::new(Teleport), 0.5);
     (0..3).for_each(|_| simulation.step());
     assert_eq!(simulation.particles()[0].position.x, 1.5);
 }
@@ -145,9 +157,8 @@ fn an_integrator_from_outside_may_move_discs_as_it_likes() {
 fn a_hook_that_changes_nothing_changes_no_bit() {
     for (name, integrator) in INTEGRATORS {
         let run = |with_hook: bool| {
-            let forces = vec![contacts(damped())];
             let mut simulation =
-                Simulation::new(implosion(), DVec2::ZERO, forces, integrator(), 5e-6);
+                Simulation::new(implosion(), DVec2::ZERO, damped(), &[], integrator(), 5e-6);
             for _ in 0..3000 {
                 if with_hook {
                     simulation.act(|_| {});
@@ -171,8 +182,7 @@ fn velocity_verlet_is_eq_3_started_half_a_kick_earlier_with_damping_too() {
     };
     let run = |k: usize| {
         let dt = 1e-6;
-        let forces = vec![contacts(law)];
-        Simulation::new(start(), DVec2::ZERO, forces, INTEGRATORS[k].1(), dt)
+        Simulation::new(start(), DVec2::ZERO, law, &[], INTEGRATORS[k].1(), dt)
     };
     let (mut symplectic, mut verlet) = (run(0), run(2));
     for _ in 0..200 {
@@ -190,8 +200,7 @@ fn the_largest_overlap_is_told_in_the_smaller_radius() {
     let mut discs =
         vec![disc_at(DVec2::ZERO, DVec2::ZERO), disc_at(DVec2::X * 1.4e-3, DVec2::ZERO)];
     discs[1].radius = 2.0 * RADIUS;
-    let forces = vec![contacts(damped())];
-    let simulation = Simulation::new(discs, DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-6);
+    let simulation = Simulation::new(discs, DVec2::ZERO, damped(), &[], INTEGRATORS[0].1(), 1e-6);
     // Reach 1.5e-3 m: 1e-4 m over 5e-4 m.
     assert!((simulation.largest_overlap() - 0.2).abs() < 1e-12);
 }

@@ -2,8 +2,7 @@
 #![allow(clippy::too_many_lines)] // tables of cases
 
 use crate::support::{
-    ELASTIC, INTEGRATORS, MASS, MEETINGS, Meeting, NewIntegrator, RADIUS, STIFFNESS, contacts,
-    disc_at, law, walls,
+    ELASTIC, INTEGRATORS, MASS, MEETINGS, Meeting, NewIntegrator, RADIUS, STIFFNESS, disc_at, law,
 };
 use glam::DVec2;
 use parsim2d::analysis::collision::{
@@ -139,9 +138,8 @@ fn the_force_on_one_disc_is_the_opposite_of_that_on_the_other() {
             disc_at(DVec2::ZERO, DVec2::new(0.1, -0.7)),
             disc_at(DVec2::new(dx, dy) * RADIUS, DVec2::new(-0.4, 0.2)),
         ];
-        let damping = law(Damping::Coefficient(0.5));
-        let simulation =
-            Simulation::new(discs, DVec2::ZERO, vec![contacts(damping)], INTEGRATORS[0].1(), 1e-6);
+        let (law, integrator) = (law(Damping::Coefficient(0.5)), INTEGRATORS[0].1());
+        let simulation = Simulation::new(discs, DVec2::ZERO, law, &[], integrator, 1e-6);
         let [a, b] = simulation.particles() else { panic!("two discs") };
         assert!(a.force.is_finite() && a.force.length() > 0.0, "{:?}", a.force);
         assert_eq!(a.force, -b.force); // to the bit
@@ -151,8 +149,8 @@ fn the_force_on_one_disc_is_the_opposite_of_that_on_the_other() {
 #[test]
 fn coincident_centres_are_pushed_apart_along_x() {
     let discs = vec![Particle::at_rest(DVec2::splat(0.02), RADIUS, MASS); 2];
-    let forces = vec![contacts(law(ELASTIC))];
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-6);
+    let mut simulation =
+        Simulation::new(discs, DVec2::ZERO, law(ELASTIC), &[], INTEGRATORS[0].1(), 1e-6);
     // k_n times both radii: 5e4 * 1e-3 N.
     let push = DVec2::new(50.0, 0.0);
     assert_eq!(simulation.particles()[0].force, -push);
@@ -171,8 +169,8 @@ fn a_corner_pushes_with_both_walls_at_once() {
         let inward = (DVec2::splat(side / 2.0) - corner).signum();
         let disc = disc_at(corner + inward * (RADIUS - depth), DVec2::ZERO);
         let planes = HalfPlane::square(side);
-        let forces = vec![walls(law(ELASTIC), &planes)];
-        let simulation = Simulation::new(vec![disc], DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-6);
+        let (law, integrator) = (law(ELASTIC), INTEGRATORS[0].1());
+        let simulation = Simulation::new(vec![disc], DVec2::ZERO, law, &planes, integrator, 1e-6);
         let expected = STIFFNESS * depth * inward;
         // The overlap is a difference of numbers of 0.04 m: 1e-17 m of rounding, 1e-12 N.
         assert!((simulation.particles()[0].force - expected).length() < 1e-11);
@@ -182,8 +180,8 @@ fn a_corner_pushes_with_both_walls_at_once() {
 #[test]
 fn a_wall_is_a_half_plane_that_pushes_back_a_centre_beyond_it() {
     let disc = disc_at(DVec2::new(0.02, -2.0 * RADIUS), DVec2::ZERO);
-    let forces = vec![walls(law(ELASTIC), &HalfPlane::square(0.04))];
-    let simulation = Simulation::new(vec![disc], DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-6);
+    let (law, walls, integrator) = (law(ELASTIC), HalfPlane::square(0.04), INTEGRATORS[0].1());
+    let simulation = Simulation::new(vec![disc], DVec2::ZERO, law, &walls, integrator, 1e-6);
     let force = simulation.particles()[0].force;
     // Overlap r + 2r: upward, k_n times that (1e-9 N is rounding of the sum).
     assert!((force - DVec2::new(0.0, STIFFNESS * 3.0 * RADIUS)).length() < 1e-9, "{force}");
@@ -207,9 +205,9 @@ fn an_oblique_contact_changes_only_the_normal_velocity() {
         disc_at(DVec2::ZERO, DVec2::new(0.5, 0.0)),
         disc_at(direction * (2.0 * RADIUS + 1e-9), DVec2::ZERO),
     ];
-    let forces = vec![contacts(law(ELASTIC))];
     let dt = 1e-4 / omega0;
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, INTEGRATORS[0].1(), dt);
+    let mut simulation =
+        Simulation::new(discs, DVec2::ZERO, law(ELASTIC), &[], INTEGRATORS[0].1(), dt);
     for _ in 0..40_000 {
         simulation.step();
     }

@@ -8,14 +8,15 @@ use std::process::Output;
 use assert_cmd::Command;
 use parsim2d::analysis::drift::{Course, observed_order};
 use parsim2d::output::drift::{CurveRow, DriftRow, read, read_curves};
-use parsim2d::scenario::study::{Case, Study, StudySettings};
+use parsim2d::scenario::settings::Settings;
+use parsim2d::scenario::study::{Case, Study};
 use serde_json::Value;
 
 /// All contacts of the study at these N_t (and twice the last): courses by case, integrator, N_t.
 fn contacts(nt: &[f64]) -> BTreeMap<(&'static str, &'static str), Vec<(f64, Course)>> {
-    let settings = StudySettings { nt: nt.to_vec(), n: Some(20), ..StudySettings::default() };
+    let settings = Settings { n: Some(20), ..Settings::default() };
     let mut courses = BTreeMap::<_, Vec<_>>::new();
-    for run in Study::new(&settings).unwrap().runs() {
+    for run in Study::new(&settings, nt).unwrap().runs() {
         if run.case.is_one_contact() {
             let key = (run.case.name(), run.integrator.name());
             courses.entry(key).or_default().push((run.nt, run.course(&|_| {}).unwrap()));
@@ -92,7 +93,7 @@ fn one_contact_shows_the_known_errors_at_n_t_50() {
 
 #[test]
 fn free_fall_shows_the_saw_tooth_of_eq_3() {
-    let study = Study::new(&StudySettings { n: Some(1), ..StudySettings::default() }).unwrap();
+    let study = Study::new(&Settings { n: Some(1), ..Settings::default() }, &[]).unwrap();
     for nt in [10.0, 50.0] {
         let fall = study.saw_tooth(nt).unwrap();
         // Rounding of some thousand steps of 4e-4 J against 3e-8 J.
@@ -103,8 +104,8 @@ fn free_fall_shows_the_saw_tooth_of_eq_3() {
 
 #[test]
 fn phases_and_numbers_of_discs_are_those_asked_for() {
-    let settings = StudySettings { n: Some(7), nt: vec![50.0, 10.0, 10.0], ..Default::default() };
-    let study = Study::new(&settings).unwrap();
+    let settings = Settings { n: Some(7), ..Settings::default() };
+    let study = Study::new(&settings, &[50.0, 10.0, 10.0]).unwrap();
     assert_eq!(study.nt(), [10.0, 50.0]);
     assert_eq!(study.boxes().each_ref().map(|scenario| scenario.n()), [20, 7]);
     let runs = study.runs();

@@ -1,8 +1,7 @@
 //! What each integrator does to the energy, and the two residues of the ledger.
 
 use crate::support::{
-    ELASTIC, INTEGRATORS, MASS, Meeting, NewIntegrator, RADIUS, STIFFNESS, contacts, disc_at,
-    floor, law, walls,
+    ELASTIC, INTEGRATORS, MASS, Meeting, NewIntegrator, RADIUS, STIFFNESS, disc_at, floor, law,
 };
 use glam::DVec2;
 use parsim2d::analysis::collision::angular_frequency;
@@ -11,6 +10,7 @@ use parsim2d::analysis::stability::explicit_euler_gain;
 use parsim2d::force::HalfPlane;
 use parsim2d::particle::{Damping, SpringDashpot};
 use parsim2d::simulation::{Simulation, place_discs, time_step};
+use parsim2d::work::Channel;
 
 /// Relative energy error after one elastic contact of `steps` steps that begins at `phase` of a
 /// step, and the largest error while it lasts.
@@ -130,7 +130,8 @@ fn free_fall_shows_a_saw_tooth_in_step_with_the_speed() {
     for (name, integrator) in INTEGRATORS {
         let disc = disc_at(DVec2::new(0.02, 0.03), DVec2::ZERO);
         let gravity = DVec2::new(0.0, -g);
-        let mut simulation = Simulation::new(vec![disc], gravity, vec![], integrator(), dt);
+        let mut simulation =
+            Simulation::new(vec![disc], gravity, law(ELASTIC), &[], integrator(), dt);
         let start = MechanicalEnergy::of(&simulation).total();
         (0..5000).for_each(|_| simulation.step());
         let speed = -simulation.particles()[0].velocity.y;
@@ -154,8 +155,8 @@ fn busy_box(n: usize, integrator: NewIntegrator, law: SpringDashpot, dt: f64) ->
         disc.velocity = DVec2::new((k as f64).sin(), (1.7 * k as f64).cos());
         disc.mass *= 1.0 + 0.1 * (k % 3) as f64;
     }
-    let forces = vec![walls(law, &HalfPlane::square(side)), contacts(law)];
-    Simulation::new(discs, DVec2::new(0.0, -9.81), forces, integrator(), dt)
+    let (gravity, walls) = (DVec2::new(0.0, -9.81), HalfPlane::square(side));
+    Simulation::new(discs, gravity, law, &walls, integrator(), dt)
 }
 
 #[test]
@@ -174,8 +175,8 @@ fn the_work_ledger_closes_to_round_off_over_a_million_steps() {
             }
             let row = ledger.row(&simulation);
             let works = simulation.works().unwrap();
-            for work in [works.gravity, works.spring, works.dashpot] {
-                scale = scale.max(work.value().abs());
+            for channel in [Channel::Gravity, Channel::NormalSpring, Channel::NormalDashpot] {
+                scale = scale.max(works.work(channel).abs());
             }
             assert!(row.kinetic_J.is_finite() && scale > 1e-3, "{name}: {scale}");
             // Each step rounds the works by some 1e-16 of the energy in play; steps add at random.
@@ -224,9 +225,8 @@ fn clipped_contacts_give_their_left_over_overlap_to_the_dashpot() {
     let omega0 = angular_frequency(STIFFNESS, MASS);
     let law = SpringDashpot { tension: false, ..law(Damping::Ratio(0.5)) };
     let disc = disc_at(DVec2::new(0.0, RADIUS), DVec2::new(0.0, -0.5));
-    let forces = vec![walls(law, &[floor()])];
-    let mut simulation =
-        Simulation::new(vec![disc], DVec2::ZERO, forces, INTEGRATORS[0].1(), 1e-4 / omega0);
+    let (integrator, dt) = (INTEGRATORS[0].1(), 1e-4 / omega0);
+    let mut simulation = Simulation::new(vec![disc], DVec2::ZERO, law, &[floor()], integrator, dt);
     let ledger = EnergyLedger::open(&mut simulation);
     let start = ledger.row(&simulation);
     (0..100_000).for_each(|_| simulation.step());

@@ -1,6 +1,6 @@
 //! Free fall: each integrator's own closed form, to round-off.
 
-use crate::support::{INTEGRATORS, disc_at};
+use crate::support::{ELASTIC, INTEGRATORS, disc_at, law};
 use glam::DVec2;
 use parsim2d::simulation::Simulation;
 
@@ -11,7 +11,8 @@ fn every_integrator_falls_by_its_own_closed_form() {
     for (name, new_integrator) in INTEGRATORS {
         let start = disc_at(DVec2::new(0.02, 0.03), DVec2::new(0.1, 0.0));
         let g = DVec2::new(0.0, -gravity);
-        let mut simulation = Simulation::new(vec![start], g, vec![], new_integrator(), dt);
+        let mut simulation =
+            Simulation::new(vec![start], g, law(ELASTIC), &[], new_integrator(), dt);
         for _ in 0..steps {
             simulation.step();
         }
@@ -41,7 +42,8 @@ fn the_second_difference_of_positions_is_constant() {
     for (name, new_integrator) in INTEGRATORS {
         let start = disc_at(DVec2::new(0.02, 0.03), DVec2::new(0.1, 0.4));
         let g = DVec2::new(0.0, -9.81);
-        let mut simulation = Simulation::new(vec![start], g, vec![], new_integrator(), 1e-4);
+        let mut simulation =
+            Simulation::new(vec![start], g, law(ELASTIC), &[], new_integrator(), 1e-4);
         let mut positions = vec![simulation.particles()[0].position];
         for _ in 0..100 {
             simulation.step();

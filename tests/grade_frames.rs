@@ -4,13 +4,13 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use parsim2d::grade::check::Check;
-use parsim2d::grade::frames::Footage;
-use parsim2d::grade::mistake::Mistake;
-use parsim2d::grade::rubric::Rubric;
-use parsim2d::grade::rubric::program::Program as Course;
-use parsim2d::grade::words::Finding;
-use parsim2d::grade::{grade, grade_film};
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::frames::Footage;
+use parsim2d::grading::judge::mistake::Mistake;
+use parsim2d::grading::judge::rubric::Rubric;
+use parsim2d::grading::judge::rubric::program::Program as Course;
+use parsim2d::grading::judge::words::Finding;
+use parsim2d::grading::judge::{grade, grade_film};
 use proptest::prelude::*;
 
 use crate::support::runs;

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::support::handed_in;
 
 use handed_in::{can_grade, grade, hand_in};
-use parsim2d::grade::rubric::Rubric;
+use parsim2d::grading::judge::rubric::Rubric;
 
 /// The guide from these words to the end of their block of code.
 fn block(page: &str, first: &str) -> String {
@@ -151,7 +151,7 @@ fn a_rubric_with_a_probe_elsewhere_or_cases_that_decide_nothing_is_refused() {
 
 #[test]
 fn the_example_that_init_rubric_leaves_commented_out_is_a_rubric() {
-    let text = parsim2d::grade::rubric::COMMENTED;
+    let text = parsim2d::grading::judge::rubric::COMMENTED;
     let from = text.find("# [interface]\n").unwrap();
     let example: String =
         text[from..].lines().map(|line| line.replacen("# ", "", 1) + "\n").collect();

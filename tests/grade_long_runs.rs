@@ -2,12 +2,12 @@
 
 use std::fs;
 
-use parsim2d::grade::check::Check;
-use parsim2d::grade::grade;
-use parsim2d::grade::mistake::Mistake;
-use parsim2d::grade::rubric::Rubric;
-use parsim2d::grade::verdict::{Report, Status};
-use parsim2d::grade::words::Finding;
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::grade;
+use parsim2d::grading::judge::mistake::Mistake;
+use parsim2d::grading::judge::rubric::Rubric;
+use parsim2d::grading::judge::verdict::{Report, Status};
+use parsim2d::grading::judge::words::Finding;
 
 use crate::support::runs;
 use crate::support::student;

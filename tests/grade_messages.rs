@@ -10,12 +10,12 @@ use crate::support::runs;
 use crate::support::student;
 
 use handed_in::{can_grade, grade, hand_in, said_of};
-use parsim2d::grade::check::Check;
-use parsim2d::grade::rubric::Rubric;
-use parsim2d::grade::verdict::{Report, Status};
-use parsim2d::sheet::Graded;
-use parsim2d::sheet::text::text_of_student;
-use parsim2d::sheet::words::ENGLISH;
+use parsim2d::grading::feedback::Graded;
+use parsim2d::grading::feedback::text::text_of_student;
+use parsim2d::grading::feedback::words::ENGLISH;
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::rubric::Rubric;
+use parsim2d::grading::judge::verdict::{Report, Status};
 use runs::{names as files, outcome, text};
 use student::{Bug, Program};
 
@@ -342,7 +342,7 @@ fn a_rubric_by_which_nothing_can_be_earned_or_that_says_two_things_is_refused() 
         assert!(why.contains(said), "{text}: {why}");
     }
     let alone = "[points]\n".to_owned() + &all.replace("energy = 0", "energy = 1");
-    let usual = parsim2d::grade::rubric::COMMENTED;
+    let usual = parsim2d::grading::judge::rubric::COMMENTED;
     let elastic = usual.replace("# restitution = 1.0", "restitution = 1.0");
     for text in [usual, &elastic, &alone, "eta = 0.5\nrestitution_wall = 0.8", "restitution = 0.8"]
     {

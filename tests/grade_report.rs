@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use parsim2d::grade::check::Check;
-use parsim2d::grade::frames::Footage;
-use parsim2d::grade::mistake::Mistake;
-use parsim2d::grade::rubric::{PrintedEta, Rubric};
-use parsim2d::grade::verdict::{Failure, Report, Status};
-use parsim2d::grade::words::{ENGLISH, Note};
-use parsim2d::grade::{add_film, add_many, grade, grade_film};
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::frames::Footage;
+use parsim2d::grading::judge::mistake::Mistake;
+use parsim2d::grading::judge::rubric::{PrintedEta, Rubric};
+use parsim2d::grading::judge::verdict::{Failure, Report, Status};
+use parsim2d::grading::judge::words::{ENGLISH, Note};
+use parsim2d::grading::judge::{add_film, add_many, grade, grade_film};
 
 use crate::support::runs;
 use crate::support::student;

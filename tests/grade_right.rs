@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use parsim2d::grade::check::Check;
-use parsim2d::grade::grade;
-use parsim2d::grade::mistake::Mistake;
-use parsim2d::grade::rubric::{PrintedEta, Rubric};
-use parsim2d::grade::verdict::Status;
-use parsim2d::grade::words::Note;
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::grade;
+use parsim2d::grading::judge::mistake::Mistake;
+use parsim2d::grading::judge::rubric::{PrintedEta, Rubric};
+use parsim2d::grading::judge::verdict::Status;
+use parsim2d::grading::judge::words::Note;
 
 use crate::support::student;
 

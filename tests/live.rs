@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::support::{ELASTIC, law};
 use glam::DVec2;
 use parsim2d::integrator::SymplecticEuler;
 use parsim2d::output::frames::{Columns, write_frame};
@@ -29,7 +30,8 @@ fn discs(n: usize) -> Vec<Particle> {
 }
 
 fn simulation(n: usize) -> Simulation {
-    Simulation::new(discs(n), DVec2::ZERO, Vec::new(), Box::new(SymplecticEuler), 1e-3)
+    let (law, integrator) = (law(ELASTIC), Box::new(SymplecticEuler));
+    Simulation::new(discs(n), DVec2::ZERO, law, &[], integrator, 1e-3)
 }
 
 fn live(folder: &Path) -> LiveFrame {

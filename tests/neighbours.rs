@@ -77,7 +77,7 @@ proptest! {
 #[test]
 fn a_violent_run_never_misses_a_contact() {
     // Elastic discs at 5 m/s in a small box, every step held against all pairs.
-    use crate::support::{ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, contacts, law, walls};
+    use crate::support::{ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, law};
     use parsim2d::force::HalfPlane;
     use parsim2d::simulation::{Simulation, place_discs, time_step};
     let side = 0.01;
@@ -85,9 +85,9 @@ fn a_violent_run_never_misses_a_contact() {
     for (k, disc) in discs.iter_mut().enumerate() {
         disc.velocity = 5.0 * DVec2::from_angle(k as f64);
     }
-    let forces = vec![walls(law(ELASTIC), &HalfPlane::square(side)), contacts(law(ELASTIC))];
+    let (law, walls, integrator) = (law(ELASTIC), HalfPlane::square(side), INTEGRATORS[0].1());
     let dt = time_step(MASS, STIFFNESS, 50.0);
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, INTEGRATORS[0].1(), dt);
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, law, &walls, integrator, dt);
     let mut neighbours = Neighbours::default();
     let mut contacts_seen = 0;
     for _ in 0..5000 {

@@ -117,7 +117,7 @@ fn what_the_reading_path_names_is_found_in_the_file_it_names() {
         }
     }
     assert!(seen >= 14, "{seen}");
-    assert_eq!(order, ["particle", "simulation", "integrator", "discs", "force"]);
+    assert_eq!(order, ["particle", "simulation", "integrator", "force"]);
 
     // The library says the same order.
     let library = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();

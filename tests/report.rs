@@ -155,7 +155,7 @@ fn maxwells_curve_stands_only_beside_a_gas_in_equilibrium() {
         parsim2d(folder.path(), &arguments).success();
         parsim2d(folder.path(), &["report"]).success();
         let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
-        let said = parsim2d::page::html::escaped(said);
+        let said = maud::html! { (said) }.into_string();
         assert!(page.contains(&said), "{change}");
         assert_eq!(page.contains("Maxwell, 2D"), change.is_empty(), "{change}");
     }

@@ -28,7 +28,7 @@ fn another_checkpoint_is_offered_only_if_it_fits_the_files() {
     // Two frames more in the latest than in the previous one.
     assert!(outcome(folder.path(), "resume --time 0.12 -q --checkpoint-every 1h").status.success());
     let previous = folder.path().join(PREVIOUS);
-    let damaged = "parsim2d checkpoint 1\n";
+    let damaged = "parsim2d checkpoint 2\n";
     // The previous one is damaged: the latest is offered, also for a copy of another name.
     let whole = fs::read(&previous).unwrap();
     fs::write(&previous, damaged).unwrap();
@@ -66,7 +66,7 @@ fn what_cannot_be_a_checkpoint_is_refused_without_reading_it_whole() {
     let output = outcome(folder.path(), "resume sparse.ckpt");
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("no checkpoint"), "{}", text(&output.stderr));
-    fs::write(&sparse, "parsim2d checkpoint 1\nsection a f64 8 crc32 00000000\n").unwrap();
+    fs::write(&sparse, "parsim2d checkpoint 2\nsection a f64 8 crc32 00000000\n").unwrap();
     fs::File::options().write(true).open(&sparse).unwrap().set_len(1 << 40).unwrap();
     let output = outcome(folder.path(), "resume sparse.ckpt");
     assert_eq!(output.status.code(), Some(2));

@@ -6,25 +6,25 @@ use std::path::Path;
 use std::process::Output;
 
 use assert_cmd::Command;
-use parsim2d::grade::check::Check;
-use parsim2d::grade::mistake::Mistake;
-use parsim2d::grade::rubric::{Rubric, Visibility};
-use parsim2d::grade::verdict::{Failure, Report, Status};
-use parsim2d::grade::words::{Finding, Quantity};
-use parsim2d::sheet::check50::check50;
-use parsim2d::sheet::class::html_of_class;
-use parsim2d::sheet::classroom50::{Classroom, classroom50, utc};
-use parsim2d::sheet::codegrade::codegrade;
-use parsim2d::sheet::csv::csv_of_class;
-use parsim2d::sheet::gradescope::gradescope;
-use parsim2d::sheet::json::{json_of_class, json_of_student};
-use parsim2d::sheet::junit::junit;
-use parsim2d::sheet::student::html_of_student;
-use parsim2d::sheet::survey::mistakes;
-use parsim2d::sheet::text::{text_of_class, text_of_student};
-use parsim2d::sheet::vpl::vpl;
-use parsim2d::sheet::words::ENGLISH;
-use parsim2d::sheet::{Entry, Graded, Ungraded};
+use parsim2d::grading::feedback::check50::check50;
+use parsim2d::grading::feedback::class::html_of_class;
+use parsim2d::grading::feedback::classroom50::{Classroom, classroom50, utc};
+use parsim2d::grading::feedback::codegrade::codegrade;
+use parsim2d::grading::feedback::csv::csv_of_class;
+use parsim2d::grading::feedback::gradescope::gradescope;
+use parsim2d::grading::feedback::json::{json_of_class, json_of_student};
+use parsim2d::grading::feedback::junit::junit;
+use parsim2d::grading::feedback::student::html_of_student;
+use parsim2d::grading::feedback::survey::mistakes;
+use parsim2d::grading::feedback::text::{text_of_class, text_of_student};
+use parsim2d::grading::feedback::vpl::vpl;
+use parsim2d::grading::feedback::words::ENGLISH;
+use parsim2d::grading::feedback::{Entry, Graded, Ungraded};
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::mistake::Mistake;
+use parsim2d::grading::judge::rubric::{Rubric, Visibility};
+use parsim2d::grading::judge::verdict::{Failure, Report, Status};
+use parsim2d::grading::judge::words::{Finding, Quantity};
 use serde_json::{Value, json};
 
 /// What a submission may print to be taken for something else.
@@ -403,12 +403,10 @@ fn csv_reads_back_with_every_cell_in_its_column_and_no_formula() {
 
 /// A page as XML: every tag closed, every attribute quoted, all text escaped.
 fn well_formed(page: &str) -> String {
-    let xml = page.strip_prefix("<!doctype html>\n").unwrap().lines();
-    let close = |line: &str| match line.starts_with("<meta ") {
-        true => line.strip_suffix('>').unwrap().to_owned() + "/>\n",
-        false => line.to_owned() + "\n",
-    };
-    xml.map(close).collect()
+    let page = page.strip_prefix("<!doctype html>\n").unwrap();
+    let mut parts = page.split("<meta ");
+    let begin = parts.next().unwrap().to_owned();
+    parts.fold(begin, |xml, part| xml + "<meta " + &part.replacen('>', "/>", 1))
 }
 
 #[test]
@@ -440,7 +438,7 @@ fn pages_are_well_formed_and_bring_no_element_and_no_address_of_a_submission() {
     }
     assert!(pages[3].contains("&lt;script&gt;alert(1)"), "it is shown as text");
     // On a narrow page they move aside, and no word is cut.
-    assert_eq!(class_page.matches("<div class=\"wide\">\n<table>").count(), 2, "{class_page}");
+    assert_eq!(class_page.matches("<div class=\"wide\"><table>").count(), 2, "{class_page}");
     assert!(class_page.contains("does_not_build") && class_page.contains("2 of 6"), "{class_page}");
 }
 

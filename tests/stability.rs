@@ -1,7 +1,7 @@
 //! The largest stable time step: by eigenvalues of the step's matrix, by those of contact networks,
 //! and by running just below and just above it.
 
-use crate::support::{ELASTIC, MASS, RADIUS, STIFFNESS, contacts, floor, law, walls};
+use crate::support::{ELASTIC, MASS, RADIUS, STIFFNESS, floor, law};
 use glam::DVec2;
 use parsim2d::analysis::stability::{Assembly, LimitedBy, Species, TwoAtWalls, limit, mode_limit};
 use parsim2d::force::HalfPlane;
@@ -105,9 +105,9 @@ fn a_packed_bed_vibrates_no_faster_than_the_rule_says() {
 fn balanced_packing(rows: usize) -> (Vec<Particle>, Vec<HalfPlane>) {
     let (discs, planes) = squeezed_packing(rows);
     let law = law(Damping::Ratio(0.5));
-    let forces = vec![walls(law, &planes), contacts(law)];
+    let integrator = Box::new(SymplecticEuler);
     let dt = 0.2 * mode_limit(STIFFNESS, 0.0, 6.1 / MASS);
-    let mut simulation = Simulation::new(discs, DVec2::ZERO, forces, Box::new(SymplecticEuler), dt);
+    let mut simulation = Simulation::new(discs, DVec2::ZERO, law, &planes, integrator, dt);
     (0..20_000).for_each(|_| simulation.step());
     let mut discs = simulation.particles().to_vec();
     discs.iter_mut().for_each(|disc| disc.velocity = DVec2::ZERO);
@@ -129,10 +129,9 @@ fn a_packed_bed_runs_below_its_own_limit_and_explodes_above() {
                 // So slow that no contact opens: 1e-5 of the squeeze.
                 disc.velocity = 1e-3 * DVec2::from_angle(2.4 * (i * i) as f64) * RADIUS;
             }
-            let forces = vec![walls(law, &planes), contacts(law)];
             let integrator = Box::new(SymplecticEuler);
             let mut simulation =
-                Simulation::new(discs, DVec2::ZERO, forces, integrator, factor * limit);
+                Simulation::new(discs, DVec2::ZERO, law, &planes, integrator, factor * limit);
             (0..4000).for_each(|_| simulation.step());
             let fastest = simulation
                 .particles()
@@ -306,10 +305,10 @@ fn a_stack_of_two_holds_below_the_limit_and_explodes_above() {
                 [0, 1].map(|k| Particle::at_rest(DVec2::new(0.0, heights[k]), RADIUS, masses[k]));
             let start = 1e-9 * depth * (STIFFNESS / MASS).sqrt(); // m/s
             discs[0].velocity.y = start;
-            let forces = vec![walls(law, &[floor()]), contacts(law)];
             let (discs, gravity) = (discs.to_vec(), DVec2::new(0.0, -push));
             let integrator = Box::new(SymplecticEuler);
-            let mut run = Simulation::new(discs, gravity, forces, integrator, factor * limit);
+            let dt = factor * limit;
+            let mut run = Simulation::new(discs, gravity, law, &[floor()], integrator, dt);
             (0..1000).for_each(|_| run.step());
             let fastest =
                 run.particles().iter().map(|disc| disc.velocity.length()).fold(0.0, f64::max);

@@ -1,8 +1,6 @@
 //! Two equal discs stacked on the floor: an exact two-body problem with gravity.
 
-use crate::support::{
-    ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, contacts, disc_at, floor, law, walls,
-};
+use crate::support::{ELASTIC, INTEGRATORS, MASS, RADIUS, STIFFNESS, disc_at, floor, law};
 use glam::DVec2;
 use parsim2d::simulation::Simulation;
 
@@ -14,8 +12,8 @@ fn stack(shifts: [f64; 2], dt: f64) -> Simulation {
     let lower = RADIUS - 2.0 * sag + shifts[0];
     let upper = 3.0 * RADIUS - 3.0 * sag + shifts[1];
     let discs = [lower, upper].map(|y| disc_at(DVec2::new(0.0, y), DVec2::ZERO)).to_vec();
-    let forces = vec![walls(law(ELASTIC), &[floor()]), contacts(law(ELASTIC))];
-    Simulation::new(discs, DVec2::new(0.0, -GRAVITY), forces, INTEGRATORS[0].1(), dt)
+    let gravity = DVec2::new(0.0, -GRAVITY);
+    Simulation::new(discs, gravity, law(ELASTIC), &[floor()], INTEGRATORS[0].1(), dt)
 }
 
 #[test]

@@ -3,15 +3,15 @@
 
 use glam::DVec2;
 use parsim2d::analysis::energy::{EnergyLedger, LedgerRow};
-use parsim2d::analysis::guard::{EVERY, Guard};
-use parsim2d::force::{Force, Tally};
+use parsim2d::analysis::guard::{EVERY, Guard, Wrong};
+use parsim2d::force::Force;
 use parsim2d::output::energy::{EnergyFile, HEADER, OLD_HEADER, read};
 use parsim2d::output::growing::Extent;
-use parsim2d::particle::Particle;
+use parsim2d::particle::{Contact, ContactLaw, Particle};
 use parsim2d::scenario::Scenario;
 use parsim2d::simulation::{Simulation, State};
 
-use crate::support::{INTEGRATORS, MASS, disc_at};
+use crate::support::{ELASTIC, INTEGRATORS, MASS, RADIUS, disc_at, floor, law};
 
 const GRAVITY: DVec2 = DVec2::new(0.0, -9.81);
 
@@ -19,7 +19,7 @@ const GRAVITY: DVec2 = DVec2::new(0.0, -9.81);
 struct Drag(f64); // kg/s
 
 impl Force for Drag {
-    fn apply(&mut self, particles: &mut [Particle], _tally: &mut Tally) -> f64 {
+    fn apply(&mut self, particles: &mut [Particle]) -> f64 {
         particles.iter_mut().for_each(|disc| disc.force -= self.0 * disc.velocity);
         0.0
     }
@@ -29,7 +29,7 @@ impl Force for Drag {
 struct Spring;
 
 impl Force for Spring {
-    fn apply(&mut self, particles: &mut [Particle], _tally: &mut Tally) -> f64 {
+    fn apply(&mut self, particles: &mut [Particle]) -> f64 {
         let mut stored_energy = 0.0;
         for disc in particles {
             disc.force -= 0.1 * disc.position;
@@ -42,7 +42,8 @@ impl Force for Spring {
 /// One disc that flies at 1 m/s, under these forces.
 fn flying(gravity: DVec2, forces: Vec<Box<dyn Force>>) -> Simulation {
     let disc = disc_at(DVec2::new(0.01, 0.02), DVec2::new(0.6, 0.8));
-    let mut simulation = Simulation::new(vec![disc], gravity, Vec::new(), INTEGRATORS[0].1(), 1e-4);
+    let (law, integrator) = (law(ELASTIC), INTEGRATORS[0].1());
+    let mut simulation = Simulation::new(vec![disc], gravity, law, &[], integrator, 1e-4);
     forces.into_iter().for_each(|force| simulation.add_force(force));
     simulation
 }
@@ -140,13 +141,72 @@ fn a_force_added_on_the_way_brings_its_energy_along() {
 fn the_guard_does_not_sound_for_energy_that_was_supplied() {
     let mut simulation = flying(DVec2::ZERO, vec![Box::new(Drag(-1e-3))]);
     let ledger = EnergyLedger::open(&mut simulation);
-    let mut guard = Guard::new(&simulation, None, false);
+    let mut guard = Guard::new(&simulation, None, Wrong::ALL.to_vec());
     for _ in 0..200 {
         (0..EVERY).for_each(|_| simulation.step());
         assert_eq!(guard.look(&mut simulation), None);
     }
     // e-fold twice: v grows by exp(c t/m), t = 200 * 64 * 1e-4 s.
     assert!(ledger.row(&simulation).kinetic_J > 10.0 * 0.5 * MASS);
+}
+
+#[test]
+fn without_a_ledger_too_the_guard_knows_what_was_supplied() {
+    let mut simulation = flying(DVec2::ZERO, vec![Box::new(Drag(-1e-3))]);
+    let mut guard = Guard::new(&simulation, None, Wrong::ALL.to_vec());
+    for _ in 0..200 {
+        (0..EVERY).for_each(|_| simulation.step());
+        assert_eq!(guard.look(&mut simulation), None);
+    }
+    assert!(simulation.supplied() > 9.0 * 0.5 * MASS, "{}", simulation.supplied());
+    // A tap that multiplies the energy by nine, of few discs and of the engine.
+    for n in [20, 300] {
+        let text = format!("n = {n}\nseed = 1\nradius = 5e-4\ngravity = 0\nspeed = 0.2");
+        let mut simulation = Scenario::from_toml(&text).unwrap().build().unwrap();
+        simulation.act(|discs| discs[0].velocity *= 1.1); // before the guard comes: none of its business
+        let mut guard = Guard::new(&simulation, Some(0.04), Wrong::ALL.to_vec());
+        simulation.act(|discs| discs.iter_mut().for_each(|disc| disc.velocity *= 3.0));
+        for _ in 0..3 {
+            simulation.step_until(guard.next_look(&simulation));
+            assert_eq!(guard.look(&mut simulation), None, "{n} discs");
+        }
+        assert!(simulation.works().is_none());
+    }
+}
+
+/// A force upward, so large (N) that its sum with others rounds: whether it comes first shows in the last digits.
+struct Constant;
+
+const UPWARD: DVec2 = DVec2::new(0.0, 1e12);
+
+impl Force for Constant {
+    fn apply(&mut self, particles: &mut [Particle]) -> f64 {
+        particles.iter_mut().for_each(|disc| disc.force += UPWARD);
+        0.0
+    }
+}
+
+#[test]
+fn a_disc_s_forces_are_added_up_weight_first_then_ones_own_then_walls_then_discs() {
+    let depth = 3e-6;
+    let discs = vec![
+        disc_at(DVec2::new(0.02, RADIUS - depth), DVec2::ZERO),
+        disc_at(DVec2::new(0.02 + 1.99 * RADIUS, 1.1 * RADIUS), DVec2::ZERO),
+    ];
+    let law = law(ELASTIC);
+    let touch = Contact::between(&discs[0], &discs[1]).unwrap();
+    let floor_touch =
+        Contact::with_wall(&discs[0], floor().distance(discs[0].position), floor().normal).unwrap();
+    let mut simulation = Simulation::new(discs, GRAVITY, law, &[floor()], INTEGRATORS[0].1(), 1e-6);
+    simulation.add_force(Box::new(Constant));
+    let weight = MASS * GRAVITY;
+    let wall = law.push(&floor_touch) * floor_touch.normal;
+    let pair = law.push(&touch) * touch.normal;
+    let wanted = weight + UPWARD - wall - pair; // rounded in this order: equal to the bit
+    assert_eq!(simulation.particles()[0].force, wanted);
+    for other in [weight - wall + UPWARD - pair, weight - wall - pair + UPWARD] {
+        assert_ne!(other, wanted, "no order is told apart here");
+    }
 }
 
 #[test]

@@ -3,17 +3,13 @@
 use assert_cmd::Command;
 use parsim2d::analysis::twin::{Growth, distances, separation_time};
 use parsim2d::output::drift::{TwinRow, read_twin};
-use parsim2d::scenario::study::{StudySettings, twin_box, twins};
+use parsim2d::scenario::settings::Settings;
+use parsim2d::scenario::study::{twin_box, twins};
 
 /// Growth of the twins (x moved, dt longer) of `n` discs over `time` s, and when they part.
 fn growth(n: i64, nt: f64, time: f64) -> [(Option<Growth>, Option<f64>); 2] {
-    let settings = StudySettings {
-        n: Some(n),
-        nt: vec![nt],
-        time: Some(time.into()),
-        ..StudySettings::default()
-    };
-    let scenario = twin_box(&settings).unwrap();
+    let settings = Settings { n: Some(n), time: Some(time.into()), ..Settings::default() };
+    let scenario = twin_box(&settings, &[nt]).unwrap();
     let (mut run, mut twins) = twins(&scenario).unwrap();
     let found = distances(&mut run, &mut twins, scenario.steps(), 500, &mut |_| {});
     let one = |k: usize| {

@@ -6,14 +6,15 @@
 //! the worst error counts for the order.
 
 mod expected;
+mod question;
 mod seen;
 
-use glam::DVec2;
 use serde::Serialize;
 
 use self::expected::Expected;
+pub use self::question::Question;
 use super::line::Line;
-use crate::particle::{Particle, SpringDashpot};
+use crate::particle::Particle;
 use crate::simulation::Simulation;
 
 /// Phases of the touch inside a step: as many as [`USUAL_STEPS`] allow, within these bounds.
@@ -30,23 +31,6 @@ const MOST_STEPS: f64 = 3e7;
 
 /// A relative error below this is rounding, and has no order.
 const ROUND_OFF: f64 = 1e-11;
-
-/// A run of one or two discs.
-#[derive(Clone, Debug)]
-pub struct Question {
-    /// The discs at the start.
-    pub discs: Vec<Particle>,
-    /// The contact law.
-    pub law: SpringDashpot,
-    /// Gravity, m/s2.
-    pub gravity: DVec2,
-    /// Side of the box, m, if there are walls.
-    pub side: Option<f64>,
-    /// Time step, s.
-    pub dt: f64,
-    /// End of the run, s.
-    pub time: f64,
-}
 
 /// One line of the answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -40,11 +40,14 @@ impl Course {
     /// ```
     /// use glam::DVec2;
     /// use parsim2d::analysis::drift::Course;
-    /// use parsim2d::{integrator::SymplecticEuler, particle::Particle, simulation::Simulation};
+    /// use parsim2d::particle::{Damping, Particle, SpringDashpot};
+    /// use parsim2d::{integrator::SymplecticEuler, simulation::Simulation};
     /// // Free fall from 0.03 m for 0.05 s: Eq. (3) shows -m g v dt/2 of m g h.
     /// let disc = Particle::at_rest(DVec2::new(0.02, 0.03), 5e-4, 1e-3);
     /// let gravity = DVec2::new(0.0, -9.81);
-    /// let fall = Simulation::new(vec![disc], gravity, vec![], Box::new(SymplecticEuler), 1e-5);
+    /// let law = SpringDashpot { stiffness: 5e4, damping: Damping::Ratio(0.1), tension: true };
+    /// let euler = Box::new(SymplecticEuler);
+    /// let fall = Simulation::new(vec![disc], gravity, law, &[], euler, 1e-5);
     /// let course = Course::watch(fall, 5000, f64::INFINITY, 10, &mut |_| {});
     /// let saw_tooth = -0.5 * 9.81 * 0.05 * 1e-5 / 0.03;
     /// assert!((course.final_error / saw_tooth - 1.0).abs() < 1e-9);

@@ -104,8 +104,7 @@ impl EnergyLedger {
     pub fn row(&self, simulation: &Simulation) -> LedgerRow {
         let energy = MechanicalEnergy::of(simulation);
         let works = simulation.works().copied().unwrap_or_default();
-        let dissipated = 0.0 - works.dashpot.value(); // not -0.0 where nothing was taken
-        let supplied = works.supplied();
+        let (dissipated, supplied) = (works.dissipated(), works.supplied());
         LedgerRow {
             step: simulation.steps(),
             time_s: simulation.time(),

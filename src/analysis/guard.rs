@@ -3,47 +3,24 @@
 //! It looks every [`EVERY`] steps, which costs little, and keeps a state from time to time. Once
 //! something is wrong it goes back to the last state kept and looks after every single step.
 
+mod memory;
+mod wrong;
+
 use glam::DVec2;
 
+pub use self::memory::Memory;
+pub use self::wrong::{BEYOND, CROSSED, GROWTH, Wrong};
+use self::wrong::{Look, dissipated};
 use super::energy::MechanicalEnergy;
-use crate::neighbours::Neighbours;
-use crate::particle::{Contact, Particle};
-use crate::simulation::{KeptState, Simulation};
-use crate::work::Works;
+use crate::particle::Particle;
+use crate::simulation::Simulation;
+use crate::simulation::restore_point::RestorePoint;
 
 /// Steps between two looks.
 pub const EVERY: u64 = 64;
 
 /// Looks between two states kept.
 const LOOKS_PER_STATE: u64 = 16;
-
-/// Two discs have crossed once their overlap is this fraction of the sum of their radii: their centres
-/// have met, or passed within a twentieth of that.
-pub const CROSSED: f64 = 0.95;
-
-/// A disc overlaps a wall by so many radii: its centre is four radii beyond.
-pub const BEYOND: f64 = 5.0;
-
-/// The energy, with or without what damping took, has grown by this fraction of what could have moved
-/// the discs, and stays so from one look to the next: inside a contact a coarse step may err by as
-/// much for a moment.
-pub const GROWTH: f64 = 1.0;
-
-/// Sums of energies are trusted to this fraction.
-const ROUNDING: f64 = 1e-9;
-
-/// In what way a run has gone wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wrong {
-    /// A number is infinite or none at all.
-    NotFinite,
-    /// The centres of two discs have met: [`CROSSED`].
-    Crossed,
-    /// A disc overlaps a wall by more than [`BEYOND`] radii.
-    BeyondWall,
-    /// The energy has grown by more than [`GROWTH`].
-    EnergyGrown,
-}
 
 /// What went wrong, when, and with whom.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,37 +49,24 @@ pub struct Trouble {
     pub dissipated: Option<f64>,
 }
 
-/// What a guard knows of the past of its run, besides a good state: enough to go on guarding it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Memory {
-    /// Energy at the start, J.
-    pub start: MechanicalEnergy,
-    /// What could move the discs at the start, J.
-    pub movable: f64,
-    /// The step of the last look, if the energy had grown then.
-    pub grown_at: Option<u64>,
-}
-
 /// Watches one run.
 pub struct Guard {
     side: Option<f64>, // m, of the box, if it has walls
-    soft: bool,
-    start: MechanicalEnergy, // J
-    movable: f64,            // J, what could move the discs at the start
-    kept: KeptState,
+    watched: Vec<Wrong>,
+    memory: Memory,
+    kept: RestorePoint,
     looks: u64,
-    /// The step of the last look, if the energy had grown then.
-    grown_at: Option<u64>,
 }
 
 impl Guard {
-    /// A guard of `simulation` from now on; `side` (m) of its box, if it has walls. Discs known to be
-    /// `soft` may pass through each other.
-    pub fn new(simulation: &Simulation, side: Option<f64>, soft: bool) -> Self {
+    /// A guard of `simulation` from now on, which looks for what is to be `watched`, in this order; `side` (m) of its
+    /// box, if it has walls.
+    pub fn new(simulation: &Simulation, side: Option<f64>, watched: Vec<Wrong>) -> Self {
         let start = MechanicalEnergy::of(simulation);
         let height = height_to_fall(simulation, side);
         let movable = start.kinetic + start.elastic + height;
-        Self::continued(simulation, side, soft, Memory { start, movable, grown_at: None })
+        let memory = Memory { start, movable, supplied: simulation.supplied(), grown_at: None };
+        Self::continued(simulation, side, watched, memory)
     }
 
     /// A guard that goes on where another, whose `memory` it has, left a good state: it finds the same
@@ -110,18 +74,17 @@ impl Guard {
     pub fn continued(
         simulation: &Simulation,
         side: Option<f64>,
-        soft: bool,
+        watched: Vec<Wrong>,
         memory: Memory,
     ) -> Self {
-        let Memory { start, movable, grown_at } = memory;
-        let mut kept = KeptState::default();
+        let mut kept = RestorePoint::default();
         simulation.keep(&mut kept);
-        Self { side, soft, start, movable, kept, looks: 0, grown_at }
+        Self { side, watched, memory, kept, looks: 0 }
     }
 
     /// What another guard must know to go on.
     pub fn memory(&self) -> Memory {
-        Memory { start: self.start, movable: self.movable, grown_at: self.grown_at }
+        self.memory
     }
 
     /// Whether nothing is wrong with the present state. Changes nothing.
@@ -137,7 +100,7 @@ impl Guard {
     /// Looks. If something is wrong, goes back with `simulation` to the last good step, the one before
     /// the trouble began.
     pub fn look(&mut self, simulation: &mut Simulation) -> Option<Trouble> {
-        let grown_at = self.grown_at.take();
+        let grown_at = self.memory.grown_at.take();
         self.look_back(simulation, grown_at)
     }
 
@@ -145,7 +108,7 @@ impl Guard {
     /// steps between two looks must do, more than any contact lasts whose step is so coarse.
     pub fn look_last(&mut self, simulation: &mut Simulation) -> Option<Trouble> {
         let half_a_look = simulation.steps().saturating_sub(EVERY / 2);
-        let grown_at = self.grown_at.take().unwrap_or(half_a_look);
+        let grown_at = self.memory.grown_at.take().unwrap_or(half_a_look);
         self.look_back(simulation, Some(grown_at))
     }
 
@@ -159,7 +122,7 @@ impl Guard {
                 None
             }
             Some(Wrong::EnergyGrown) if grown_at.is_none() => {
-                self.grown_at = Some(simulation.steps());
+                self.memory.grown_at = Some(simulation.steps());
                 None
             }
             Some(wrong) => self.first_trouble(simulation, wrong, grown_at),
@@ -174,12 +137,12 @@ impl Guard {
         at_last: Wrong,
         grown_at: Option<u64>,
     ) -> Option<Trouble> {
-        let mut seen = KeptState::default();
+        let mut seen = RestorePoint::default();
         simulation.keep(&mut seen);
         let last_good = self.last_good_step(simulation, seen.steps());
         if at_last == Wrong::EnergyGrown && grown_at.is_some_and(|step| last_good >= step) {
             simulation.go_back(&seen);
-            self.grown_at = Some(seen.steps());
+            self.memory.grown_at = Some(seen.steps());
             self.kept = seen;
             return None;
         }
@@ -187,7 +150,7 @@ impl Guard {
         while simulation.steps() < last_good {
             simulation.step();
         }
-        let mut before = KeptState::default();
+        let mut before = RestorePoint::default();
         simulation.keep(&mut before);
         let energy_before = MechanicalEnergy::of(simulation).total();
         simulation.step();
@@ -216,45 +179,13 @@ impl Guard {
     }
 
     fn wrong(&self, simulation: &Simulation) -> Option<Wrong> {
-        let now = MechanicalEnergy::of(simulation);
-        // What was supplied from outside is not held against the run.
-        let mechanical = now.total() - simulation.works().map_or(0.0, Works::supplied);
-        let total = mechanical + dissipated(simulation).unwrap_or(0.0);
-        if !mechanical.is_finite() || !total.is_finite() {
-            Some(Wrong::NotFinite)
-        } else if !self.soft && simulation.largest_sinking() >= CROSSED {
-            Some(Wrong::Crossed)
-        } else if simulation.largest_wall_overlap() > BEYOND {
-            Some(Wrong::BeyondWall)
-        } else if mechanical.max(total) > self.most(&now) {
-            Some(Wrong::EnergyGrown)
-        } else {
-            None
-        }
-    }
-
-    /// The largest energy that is still right, J. Without walls gravity goes on giving.
-    fn most(&self, now: &MechanicalEnergy) -> f64 {
-        let fallen = match self.side {
-            Some(_) => 0.0,
-            None => (self.start.gravitational - now.gravitational).max(0.0),
-        };
-        let sizes = now.kinetic + now.gravitational.abs() + self.start.gravitational.abs();
-        self.start.total() + GROWTH * (self.movable + fallen) + ROUNDING * sizes
+        let look = Look::at(simulation, self.side, &self.memory);
+        self.watched.iter().copied().find(|wrong| wrong.is_so(&look))
     }
 
     fn trouble(&self, wrong: Wrong, simulation: &Simulation, energy_before: f64) -> Trouble {
         let particles = simulation.particles();
-        let (discs, wall, overlap) = match wrong {
-            Wrong::Crossed => deepest_pair(particles),
-            Wrong::BeyondWall => self.deepest_at_wall(particles),
-            Wrong::NotFinite | Wrong::EnergyGrown => {
-                let disc = fastest(particles);
-                let (at_wall, wall, overlap) = self.deepest_at_wall(&particles[disc..=disc]);
-                let wall = wall.filter(|_| !at_wall.is_empty() && overlap > 0.0);
-                (vec![disc], wall, overlap.max(0.0))
-            }
-        };
+        let (discs, wall, overlap) = wrong.whom(particles, self.side);
         let first = discs.first().map_or(f64::NAN, |&id| particles[id].velocity.length());
         Trouble {
             wrong,
@@ -264,35 +195,12 @@ impl Guard {
             wall,
             overlap,
             speed: first,
-            energy_at_start: self.start.total(),
+            energy_at_start: self.memory.start.total(),
             energy_before,
             energy_after: MechanicalEnergy::of(simulation).total(),
             dissipated: dissipated(simulation),
         }
     }
-
-    fn deepest_at_wall(&self, discs: &[Particle]) -> (Vec<usize>, Option<&'static str>, f64) {
-        let Some(side) = self.side else {
-            return (Vec::new(), None, 0.0);
-        };
-        let mut deepest = (Vec::new(), None, 0.0);
-        for (id, disc) in discs.iter().enumerate() {
-            let DVec2 { x, y } = disc.position;
-            let walls = [("left", x), ("right", side - x), ("lower", y), ("upper", side - y)];
-            for (wall, distance) in walls {
-                let overlap = 1.0 - distance / disc.radius;
-                if overlap > deepest.2 {
-                    deepest = (vec![id], Some(wall), overlap);
-                }
-            }
-        }
-        deepest
-    }
-}
-
-/// What the dashpots took, J, where a ledger is kept.
-fn dissipated(simulation: &Simulation) -> Option<f64> {
-    simulation.works().map(|works| 0.0 - works.dashpot.value())
 }
 
 /// What gravity can give the discs until the wall ends their fall, J; without walls nothing is
@@ -307,36 +215,6 @@ fn height_to_fall(simulation: &Simulation, side: Option<f64>) -> f64 {
 fn height_of(disc: &Particle, gravity: DVec2, side: f64) -> f64 {
     let along = |g: f64, x: f64| g.abs() * if g > 0.0 { side - x } else { x };
     disc.mass * (along(gravity.x, disc.position.x) + along(gravity.y, disc.position.y))
-}
-
-/// The fastest disc; one whose speed is no number comes first.
-fn fastest(particles: &[Particle]) -> usize {
-    let speed = |disc: &Particle| disc.velocity.length_squared();
-    let sick =
-        particles.iter().position(|disc| !disc.position.is_finite() || !speed(disc).is_finite());
-    let fastest = || {
-        let by_speed = |&a: &usize, &b: &usize| {
-            speed(&particles[a]).total_cmp(&speed(&particles[b])).then(b.cmp(&a))
-        };
-        (0..particles.len()).max_by(by_speed).unwrap_or(0)
-    };
-    sick.unwrap_or_else(fastest)
-}
-
-fn deepest_pair(particles: &[Particle]) -> (Vec<usize>, Option<&'static str>, f64) {
-    let mut neighbours = Neighbours::default();
-    neighbours.refresh(particles);
-    let mut deepest = (Vec::new(), None, 0.0);
-    for (i, j) in neighbours.pairs() {
-        let (a, b) = (&particles[i], &particles[j]);
-        if let Some(contact) = Contact::between(a, b) {
-            let overlap = contact.overlap / a.radius.min(b.radius);
-            if overlap > deepest.2 {
-                deepest = (vec![i, j], None, overlap);
-            }
-        }
-    }
-    deepest
 }
 
 #[cfg(test)]

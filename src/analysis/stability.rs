@@ -20,6 +20,7 @@ mod at_walls;
 use std::f64::consts::PI;
 
 pub use self::at_walls::TwoAtWalls;
+use super::linear::{Linear, linear};
 use crate::particle::SpringDashpot;
 
 /// Above this fraction of the limit a time step is coarse: stable, and too inaccurate to trust.
@@ -113,6 +114,8 @@ pub struct Assembly {
     pub lightest: f64, // kg
     /// Mass of the heaviest disc.
     pub heaviest: f64, // kg
+    /// Radius of the smallest disc.
+    pub smallest: f64, // m
     /// omega²/k_n of the fastest mode of one large disc against small neighbours.
     pub large_disc: f64, // 1/kg
     /// Two discs between walls; `None` for other numbers of discs, and on an open plane.
@@ -155,7 +158,7 @@ impl Assembly {
             radii: two.map(|disc| disc.radius),
             side,
         });
-        Self { n, lightest, heaviest, large_disc, at_walls }
+        Self { n, lightest, heaviest, smallest, large_disc, at_walls }
     }
 }
 
@@ -177,7 +180,7 @@ impl Assembly {
 /// assert!((limit.dt / 2.1857e-7 - 1.0).abs() < 1e-4); // s; Eq. (2) would need N_t > 2032
 /// ```
 pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
-    let &Assembly { n, lightest, heaviest, large_disc, at_walls } = assembly;
+    let &Assembly { n, lightest, heaviest, smallest, large_disc, at_walls } = assembly;
     let pair_mass = lightest * heaviest / (lightest + heaviest);
     let pair_lambda = if n == 2 { 1.0 / pair_mass } else { 2.0 / lightest };
     let bed = PACKED_BED / lightest;
@@ -187,11 +190,13 @@ pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
         (3, LimitedBy::PackedBed, pair_mass, bed),
         (3, LimitedBy::LargeDisc, pair_mass, large_disc),
     ];
+    let mode = |reduced_mass: f64, lambda: f64| {
+        let Linear { stiffness, damping } = linear(law, smallest, reduced_mass);
+        let (_, zeta) = frequency_and_damping_ratio(stiffness, damping, lambda);
+        (mode_limit(stiffness, damping, lambda), zeta >= 1.0)
+    };
     let two = at_walls.map(|two| {
-        let is_overdamped = {
-            let eta = law.damping.coefficient(law.stiffness, pair_mass);
-            frequency_and_damping_ratio(law.stiffness, eta, pair_lambda).1 >= 1.0
-        };
+        let (_, is_overdamped) = mode(pair_mass, pair_lambda);
         Limit { dt: two.limit(law), by: LimitedBy::PairAtWalls, is_overdamped }
     });
     modes
@@ -200,10 +205,8 @@ pub fn limits(law: &SpringDashpot, assembly: &Assembly) -> Vec<Limit> {
         // The margin keeps equal discs, for which both are 6.1/m, out of the rounding.
         .filter(|&(_, by, _, lambda)| by != LimitedBy::LargeDisc || lambda > 1.001 * bed)
         .map(|(_, by, reduced_mass, lambda)| {
-            let eta = law.damping.coefficient(law.stiffness, reduced_mass);
-            let (_, zeta) = frequency_and_damping_ratio(law.stiffness, eta, lambda);
-            let dt = mode_limit(law.stiffness, eta, lambda);
-            Limit { dt, by, is_overdamped: zeta >= 1.0 }
+            let (dt, is_overdamped) = mode(reduced_mass, lambda);
+            Limit { dt, by, is_overdamped }
         })
         .chain(two)
         .collect()

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::Failure;
 use crate::echo;
-use crate::workshop::{Choice, Refused, Tier, Workshop};
+use crate::grading::sandbox::{Options, Refused, Sandbox, Tier};
 
 #[derive(Args)]
 pub(super) struct DoctorArguments {
@@ -68,23 +68,23 @@ struct Findings {
     folder_can_be_written: bool,
     programs: Vec<Found>,
     /// The sandbox that `grade` would use, if one works, and why no better one.
-    sandbox: Sandbox,
+    sandbox: StudentCode,
 }
 
 /// How student code would be kept from doing harm.
 #[derive(Serialize)]
-struct Sandbox {
+struct StudentCode {
     tier: Option<Tier>,
     refused: Vec<Refused>,
     error: Option<String>,
 }
 
-impl Sandbox {
+impl StudentCode {
     fn probe() -> Self {
-        match Workshop::open(&Choice::default()) {
-            Ok(workshop) => Self {
-                tier: Some(workshop.tier()),
-                refused: workshop.refused().to_vec(),
+        match Sandbox::open(&Options::default()) {
+            Ok(sandbox) => Self {
+                tier: Some(sandbox.tier()),
+                refused: sandbox.refused().to_vec(),
                 error: None,
             },
             Err(why) => Self { tier: None, refused: Vec::new(), error: Some(why.to_string()) },
@@ -98,7 +98,7 @@ pub(super) fn examine(arguments: &DoctorArguments) -> Result<ExitCode, Failure> 
         cores: std::thread::available_parallelism().map_or(1, usize::from),
         folder_can_be_written: tells_writable(Path::new(".")),
         programs: HELPERS.iter().map(look_for).collect(),
-        sandbox: Sandbox::probe(),
+        sandbox: StudentCode::probe(),
     };
     let mut out = io::stdout().lock();
     if arguments.json {
@@ -129,7 +129,7 @@ fn write_text(out: &mut impl Write, findings: &Findings) -> io::Result<()> {
             writeln!(out, "         without it: {}", helper.without)?;
         }
     }
-    let Sandbox { tier, refused, error } = &findings.sandbox;
+    let StudentCode { tier, refused, error } = &findings.sandbox;
     match (tier, error) {
         (Some(tier), _) => writeln!(out, "\ngrade's sandbox: tier {tier}, {}", tier.words())?,
         (None, Some(why)) => writeln!(out, "\ngrade's sandbox: {why}")?,

@@ -8,7 +8,6 @@ mod words;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
 use serde::Serialize;
@@ -16,12 +15,12 @@ use serde::Serialize;
 use self::findings::{Findings, Outcome};
 use super::Failure;
 use super::plot::{Target, plot_drift};
-use super::watch::progress_bar;
-use crate::analysis::drift::Course;
+use super::terminal::progress_bar;
 use crate::output::drift::{self as files, CurveRow, DriftRow};
-use crate::scenario::error::ScenarioError;
 use crate::scenario::quantity::{Length, Mass, Number, Quantity, Stiffness, Time, whole_number};
-use crate::scenario::study::{Study, StudyRun, StudySettings};
+use crate::scenario::settings::Settings;
+use crate::scenario::study::{Study, StudyRun};
+use crate::session::courses::courses;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -78,17 +77,22 @@ pub(super) struct DriftArguments {
 }
 
 impl DriftArguments {
-    fn settings(&self) -> StudySettings {
-        StudySettings {
+    /// What was said, but for N_t.
+    fn settings(&self) -> Settings {
+        Settings {
             n: self.n,
             seed: self.seed,
             radius: self.radius,
             mass: self.mass,
             kn: self.kn,
             time: self.time,
-            restitution: self.restitution.map(|e| e.si),
-            nt: self.nt.iter().map(|nt| nt.si).collect(),
+            restitution: self.restitution,
+            ..Settings::default()
         }
+    }
+
+    fn nt(&self) -> Vec<f64> {
+        self.nt.iter().map(|nt| nt.si).collect()
     }
 }
 
@@ -104,7 +108,7 @@ pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
     if arguments.twin {
         return twin::run(arguments);
     }
-    let study = Study::new(&arguments.settings())?;
+    let study = Study::new(&arguments.settings(), &arguments.nt())?;
     let folder = &arguments.out_dir;
     files::probe(folder, &["drift.csv", "drift_energy.csv", "drift.svg", "drift.gp"])?;
     let runs = study.runs();
@@ -134,37 +138,6 @@ pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
     }
     out.flush()?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// All courses, in the order of `runs`, on as many threads as the machine has. Each run is
-/// independent of the others, so that no number depends on the threads.
-fn courses(
-    runs: &[StudyRun],
-    progress: &(dyn Fn(u64) + Sync),
-) -> Result<Vec<Course>, ScenarioError> {
-    // The longest first: a short one fills the gap at the end.
-    let mut queue: Vec<usize> = (0..runs.len()).collect();
-    queue.sort_by_key(|&k| std::cmp::Reverse(runs[k].particle_steps()));
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        while let Some(&k) = queue.get(next.fetch_add(1, Ordering::Relaxed)) {
-            done.push((k, runs[k].course(&progress)));
-        }
-        done
-    };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let mut done = std::thread::scope(|scope| {
-        let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
-        let mut done = work();
-        for other in others {
-            // A panic there is a panic here.
-            done.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        }
-        done
-    });
-    done.sort_by_key(|&(k, _)| k);
-    done.into_iter().map(|(_, course)| course).collect()
 }
 
 fn drift_row((run, course): &Outcome) -> DriftRow {

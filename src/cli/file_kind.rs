@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::claim::shown;
 use super::refusal::Refusal;
 use super::typed::quoted;
-use crate::grade::rubric::Rubric;
+use crate::grading::judge::rubric::Rubric;
 use crate::output::frames::read_frame;
 use crate::output::{checkpoint, record};
 use crate::scenario::file;

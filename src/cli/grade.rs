@@ -18,10 +18,10 @@ use self::all::grade_all;
 use self::explain::explain;
 use self::sheets::Sheets;
 use super::Failure;
-use crate::grade::rubric::{COMMENTED, Rubric};
+use crate::grading::feedback::plain::{one_line, short_names};
+use crate::grading::feedback::{Entry, Graded};
+use crate::grading::judge::rubric::{COMMENTED, Rubric};
 use crate::output::OutputError;
-use crate::sheet::plain::{one_line, short_names};
-use crate::sheet::{Entry, Graded};
 
 pub(super) use self::arguments::GradeArguments;
 pub(super) use self::error::GradeError;

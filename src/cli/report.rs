@@ -226,9 +226,10 @@ fn histogram(histogram: Histogram, is_gas: bool) -> Figure {
 /// The files of the run, as links from the folder of the page. A page elsewhere has none: they
 /// would lead nowhere once it is handed in.
 fn data(folder: &Path, out: &Path) -> Vec<(String, u64)> {
-    let beside = out.parent().map(fs::canonicalize).and_then(Result::ok);
-    let is_beside = out.parent() == Some(folder) || beside == fs::canonicalize(folder).ok();
-    if !is_beside {
+    // A name alone lies in the present folder.
+    let beside = out.parent().filter(|place| !place.as_os_str().is_empty());
+    let place = beside.unwrap_or(Path::new("."));
+    if place != folder && fs::canonicalize(place).ok() != fs::canonicalize(folder).ok() {
         return Vec::new();
     }
     let names = ["trajectory.txt", "energy.csv", "out.txt", record::FILE, failure::FILE];

@@ -12,11 +12,10 @@ use self::refused::{is_done, not_continued, unfit, unreadable};
 use super::claim::Claim;
 use super::file_kind::FileKind;
 use super::interrupt::Interrupt;
-use super::keeper::Origin;
 use super::refusal::Refusal;
 use super::run::{conclude, say_all};
 use super::say::say;
-use super::stepping::Stepping;
+use super::terminal::Terminal;
 use super::typed::{quoted, with_new_end};
 use super::{Failure, memory};
 use crate::analysis::energy::MechanicalEnergy;
@@ -29,6 +28,8 @@ use crate::output::recorder::Recorder;
 use crate::scenario::Scenario;
 use crate::scenario::quantity::{Number, Quantity, Time, thread_count};
 use crate::scenario::settings::Settings;
+use crate::session::Session;
+use crate::session::checkpoints::Origin;
 use crate::simulation::state::Array;
 use crate::simulation::{Simulation, State};
 
@@ -145,12 +146,12 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, Failure> {
     // Only the latest checkpoint of the folder may become the previous one.
     let is_latest = file.file_name().is_some_and(|name| name == checkpoint::FILE);
     let last = (is_latest && arguments.out_dir.is_none()).then_some(progress.step);
-    let mut stepping =
-        Stepping::resume(&scenario, simulation, recorder, origin, memory(progress), last);
+    let past = Some((memory(progress), last));
+    let mut session = Session::new(&scenario, simulation, Some(recorder), origin, past);
     if has_new_end {
-        stepping.keep_end();
+        session.keep_end(&mut Terminal::of(&session, &interrupt));
     }
-    conclude(stepping, &interrupt)
+    conclude(session, &interrupt)
 }
 
 /// What the run that goes on in `folder` was begun with.
@@ -178,7 +179,7 @@ fn simulation(
     if n != said {
         return Err(format!("it has {}, its scenario says {said}", counted(n, "disc")));
     }
-    let mut simulation = scenario.assemble(particles, state.is_of_crowd());
+    let mut simulation = scenario.assemble(particles, state.is_of_engine());
     simulation.set_state(&state);
     if simulation.works().is_some() != progress.written.energy.is_some() {
         return Err("it has an energy ledger without works, or works without a ledger".to_owned());
@@ -225,7 +226,12 @@ fn memory(progress: &Progress) -> Memory {
         gravitational: progress.gravitational_at_start_J,
         elastic: progress.elastic_at_start_J,
     };
-    Memory { start, movable: progress.movable_at_start_J, grown_at: progress.grown_at }
+    Memory {
+        start,
+        movable: progress.movable_at_start_J,
+        supplied: progress.supplied_at_start_J,
+        grown_at: progress.grown_at,
+    }
 }
 
 fn say_where(scenario: &Scenario, progress: &Progress, file: &Path) {

@@ -11,10 +11,8 @@ use rand::TryRng;
 use super::claim::{Claim, keep_start, shown};
 use super::file_kind::{FileKind, near_scenario};
 use super::interrupt::Interrupt;
-use super::keeper::Origin;
-use super::stepping::Stepping;
+use super::terminal::{Terminal, placing_spinner};
 use super::typed::{self, quoted};
-use super::watch::placing_spinner;
 use super::{Failure, answer, memory, say};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::OutputError;
@@ -26,7 +24,8 @@ use crate::scenario::error::ScenarioError;
 use crate::scenario::finding::Matter;
 use crate::scenario::settings::Settings;
 use crate::scenario::{Scenario, file, judgement, post_mortem};
-use crate::simulation::time_step;
+use crate::session::Session;
+use crate::session::checkpoints::{Checkpoints, Origin};
 
 #[derive(Args, Clone)]
 pub(super) struct RunArguments {
@@ -52,7 +51,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     keep_start(&scenario)?;
     let spinner = placing_spinner(scenario.output.quiet);
     let discs = scenario.place()?;
-    // What the discs at the start have to say, before they are handed over: a crowd stores them anew.
+    // What the discs at the start have to say, before they are handed over: the engine stores them anew.
     let record = scenario.record(&discs);
     let notes = if scenario.output.quiet { Vec::new() } else { scenario.notes(&discs) };
     let mut simulation = scenario.build_of(discs);
@@ -66,48 +65,56 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
     let overlap = simulation.largest_overlap();
     let command = typed::words_with(seed_was_drawn.then_some(scenario.seed));
     let origin = Origin { command, overlap, resumed: None };
-    conclude(Stepping::begin(&scenario, simulation, recorder, origin), &interrupt)
+    conclude(Session::new(&scenario, simulation, Some(recorder), origin, None), &interrupt)
 }
 
 /// Steps to the end and reports.
-pub(super) fn conclude(mut stepping: Stepping, interrupt: &Interrupt) -> Result<ExitCode, Failure> {
-    let scenario = stepping.scenario;
-    if let Err(failure) = stepping.go(|| interrupt.is_raised()) {
-        if let Some(way_back) = stepping.keeper.way_back() {
+pub(super) fn conclude(mut session: Session, interrupt: &Interrupt) -> Result<ExitCode, Failure> {
+    let scenario = session.scenario;
+    let mut terminal = Terminal::of(&session, interrupt);
+    let done = session.run(&mut terminal);
+    drop(terminal);
+    if let Err(failure) = done {
+        if let Some(way_back) = way_back(&session.checkpoints) {
             let when = match &failure {
-                Failure::Output(OutputError::Write { source, .. }) if !wants_room(source) => {
+                OutputError::Write { source, .. } if !wants_room(source) => {
                     "once it can be written"
                 }
                 _ => "once there is room",
             };
             say(scenario, &format!("{when}, {way_back}"));
         }
-        return Err(failure);
+        return Err(failure.into());
     }
-    let summary = summary(scenario, &stepping);
-    let command = format!("{} = {}", record::COMMAND, typed::line(&stepping.origin.command));
-    stepping.record_results(&[vec![command], summary.results()].concat())?;
-    let velocities = answer::velocities(scenario, &stepping.simulation);
-    match report(scenario, &summary, stepping.origin.overlap, &velocities) {
+    let summary = summary(scenario, &session);
+    let command = format!("{} = {}", record::COMMAND, typed::line(&session.origin.command));
+    session.record_results(&[vec![command], summary.results()].concat())?;
+    let velocities = answer::velocities(scenario, session.simulation());
+    match report(scenario, &summary, session.origin.overlap, &velocities) {
         Err(error) if is_unheard(&error) => {}
         done => done?,
     }
-    let is_stopped = stepping.is_stopped();
-    match stepping.failure.take() {
-        Some(failure) if is_stopped => {
-            let again = stepping.origin.resumed.as_deref().map(|path| new_run(path, &failure));
-            return Err(Failure::WentWrong { report: Box::new(failure), again });
+    match &session.failure {
+        Some(failure) if failure.stopped => {
+            let again = session.origin.resumed.as_deref().map(|path| new_run(path, failure));
+            return Err(Failure::WentWrong { report: Box::new(failure.clone()), again });
         }
         Some(failure) => say(scenario, &failure.to_string()),
         None => {}
     }
-    if stepping.is_done() {
+    if session.is_done() {
         return Ok(ExitCode::SUCCESS);
     }
-    let way_back = stepping.keeper.way_back();
+    let way_back = way_back(&session.checkpoints);
     let way_back = way_back.unwrap_or("no good state was left to go on from".to_owned());
     say(scenario, &format!("interrupted; {way_back}"));
     Ok(ExitCode::from(130))
+}
+
+/// How to go on from the latest of these checkpoints, if there is one.
+fn way_back(checkpoints: &Checkpoints) -> Option<String> {
+    let (path, step) = checkpoints.latest()?;
+    Some(format!("to go on from step {step}: parsim2d resume {}", quoted(&shown(&path))))
 }
 
 /// Whether nobody listens any more: a pipe or a terminal was closed.
@@ -196,15 +203,15 @@ fn say_notes(scenario: &Scenario, notes: &[String], seed_was_drawn: bool) {
     }
 }
 
-fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
-    let Stepping { simulation, watch, failure, .. } = stepping;
-    let start = stepping.energy_at_start();
+fn summary(scenario: &Scenario, session: &Session) -> Summary {
+    let Session { pace, failure, .. } = session;
+    let simulation = session.simulation();
+    let start = session.energy_at_start();
     let n = simulation.n();
-    let particle_steps = n as f64 * watch.steps(simulation) as f64;
-    let (lightest, _) = scenario.mass_range();
+    let particle_steps = n as f64 * pace.steps(simulation) as f64;
     let end = MechanicalEnergy::of(simulation).total();
     let (dissipated, supplied) = match simulation.works() {
-        Some(works) => (Some(0.0 - works.dashpot.value()), works.supplied()),
+        Some(works) => (Some(works.dissipated()), works.supplied()),
         None => (None, 0.0),
     };
     Summary {
@@ -215,13 +222,13 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
         integrator: scenario.integrator.name(),
         dt_s: simulation.dt(),
         dt_set_by: scenario.dt_set_by.name(),
-        steps_per_contact: time_step(lightest, scenario.stiffness, 1.0) / simulation.dt(),
+        steps_per_contact: scenario.steps_per_contact(),
         steps: simulation.steps(),
         time_s: simulation.time(),
-        wall_s: watch.wall_time(),
+        wall_s: pace.wall_time(),
         threads: scenario.threads(),
         list_rebuilds: simulation.lists_made(),
-        particle_steps_per_s: particle_steps / watch.stepping_time().max(1e-9),
+        particle_steps_per_s: particle_steps / pace.stepping_time().max(1e-9),
         peak_memory_MB: memory::peak_memory(),
         energy_start_J: start,
         energy_end_J: end,
@@ -229,7 +236,7 @@ fn summary(scenario: &Scenario, stepping: &Stepping) -> Summary {
         energy_error_J: dissipated.map(|dissipated| end + dissipated - supplied - start),
         max_overlap_over_r: simulation.largest_overlap(),
         state_hash: format!("{:016x}", simulation.state_hash()),
-        interrupted: simulation.steps() < scenario.steps() && !stepping.is_stopped(),
+        interrupted: simulation.steps() < scenario.steps() && !session.is_stopped(),
         went_wrong: failure.as_ref().map(|failure| failure.kind),
         went_wrong_at_step: failure.as_ref().map(|failure| failure.step),
         answer: answer::of(scenario),

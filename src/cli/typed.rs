@@ -1,6 +1,6 @@
 //! The command line as it was typed.
 
-use crate::output::recorder::continued::Written;
+use crate::output::written::Written;
 
 /// Flags that change no file of a run: where it writes, how often checkpoints, who computes it.
 const ELSEWHERE: [&str; 3] = ["--out-dir", "--checkpoint-every", "--threads"];

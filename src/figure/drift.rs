@@ -1,16 +1,16 @@
 //! The drift study: how the energy error of one contact falls with the time step, and how the
 //! errors of many contacts add up over a run.
 
+mod key;
 mod runs;
 
 use std::fmt::Write;
 
+use self::key::{Key, Keys};
 use self::runs::Runs;
 use super::axis::Axis;
 use super::chart::{Chart, Mark, Series};
-use super::colour::OKABE_ITO;
 use super::gnuplot::{self, DataFile, quoted};
-use super::label::short;
 use super::{Figure, Panel};
 use crate::output::drift::{CurveRow, DriftRow};
 
@@ -18,110 +18,6 @@ const GUIDE: &str = "#808080";
 const PANEL: (f64, f64) = (600.0, 540.0);
 const X_LEFT: &str = "time step, s";
 const Y_LEFT: &str = "|energy error| after one contact";
-
-/// What makes one curve: case, integrator and restitution, and N_t where the curve runs over time.
-#[derive(Clone, Debug, PartialEq)]
-struct Key {
-    case: String,
-    integrator: String,
-    restitution: f64,
-    nt: f64,
-}
-
-impl Key {
-    fn of_drift(row: &DriftRow) -> Self {
-        let (case, integrator) = (row.case.clone(), row.integrator.clone());
-        Self { case, integrator, restitution: row.restitution, nt: 0.0 }
-    }
-
-    fn of_curve(row: &CurveRow) -> Self {
-        let (case, integrator) = (row.case.clone(), row.integrator.clone());
-        Self { case, integrator, restitution: row.restitution, nt: row.nt }
-    }
-}
-
-/// The curves of a panel, in the order in which they first come, and what tells them apart.
-struct Keys {
-    keys: Vec<Key>,
-    integrators: Vec<String>,
-    cases: Vec<String>,
-    restitutions: Vec<f64>,
-    nts: Vec<f64>,
-}
-
-impl Keys {
-    fn of(rows: impl Iterator<Item = Key>) -> Self {
-        let mut keys: Vec<Key> = Vec::new();
-        for key in rows {
-            // Curves have many points in a row: the last key is nearly always the same.
-            if keys.last() != Some(&key) && !keys.contains(&key) {
-                keys.push(key);
-            }
-        }
-        let mut nts = distinct(keys.iter().map(|key| key.nt));
-        nts.sort_by(f64::total_cmp);
-        Self {
-            integrators: distinct(keys.iter().map(|key| key.integrator.clone())),
-            cases: distinct(keys.iter().map(|key| key.case.clone())),
-            restitutions: distinct(keys.iter().map(|key| key.restitution)),
-            nts,
-            keys,
-        }
-    }
-
-    /// The name of a curve: only what differs from the others.
-    fn name(&self, key: &Key) -> String {
-        let mut parts = Vec::new();
-        if self.cases.len() > 1 {
-            parts.push(key.case.clone());
-        }
-        let is_first = self.integrators.first() == Some(&key.integrator);
-        if self.integrators.len() > 1 && !(is_first && key.nt > 0.0) {
-            parts.push(key.integrator.clone());
-        }
-        if self.restitutions.len() > 1 {
-            parts.push(format!("e = {}", short(key.restitution, 3)));
-        }
-        if key.nt > 0.0 {
-            parts.push(format!("N_t = {}", key.nt));
-        }
-        parts.join(", ")
-    }
-
-    fn is_first_case(&self, key: &Key) -> bool {
-        self.cases.first() == Some(&key.case)
-    }
-
-    fn integrator(&self, key: &Key) -> usize {
-        position(&self.integrators, &key.integrator)
-    }
-
-    /// A colour for every integrator and restitution.
-    fn colour(&self, key: &Key) -> &'static str {
-        let restitution = position(&self.restitutions, &key.restitution);
-        let k = self.integrator(key) * self.restitutions.len() + restitution;
-        OKABE_ITO[k % OKABE_ITO.len()]
-    }
-
-    /// Radius of a curve's dots, px: later ones are smaller, so that none is hidden.
-    fn radius(&self, key: &Key) -> f64 {
-        3.0 + 1.6 * (self.integrators.len() - 1 - self.integrator(key)) as f64
-    }
-}
-
-fn distinct<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
-    let mut seen = Vec::new();
-    for value in values {
-        if !seen.contains(&value) {
-            seen.push(value);
-        }
-    }
-    seen
-}
-
-fn position<T: PartialEq>(all: &[T], one: &T) -> usize {
-    all.iter().position(|other| other == one).unwrap_or(0)
-}
 
 fn is_one_contact(row: &&DriftRow) -> bool {
     row.case == "wall" || row.case == "pair"

@@ -1,6 +1,6 @@
 //! Names of curves at their ends, in the curves' colours: nothing to look up in a legend.
 
-use super::chart::Series;
+use super::series::Series;
 use super::svg::{Anchor, Area, Svg, TEXT, text_width};
 
 /// Names are so far apart, baseline to baseline, px.

@@ -22,7 +22,7 @@ use self::container::{FORMAT, Flaw};
 pub use self::write::{sections, write};
 use super::OutputError;
 use super::place::plain_file;
-use super::recorder::continued::Written;
+use super::written::Written;
 use crate::echo;
 use crate::simulation::state::Array;
 
@@ -66,6 +66,8 @@ pub struct Progress {
     pub elastic_at_start_J: f64,
     /// What could move the discs at the start, J.
     pub movable_at_start_J: f64,
+    /// Energy supplied from outside until the start, J.
+    pub supplied_at_start_J: f64,
     /// The largest overlap at the start over the (smaller) radius.
     pub overlap_at_start: f64,
     /// The step of the guard's last look, if the energy had grown then.

@@ -6,7 +6,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use self::continued::FILES;
 use super::OutputError;
 use super::checkpoint::{self, refuse_foreign};
 use super::energy::EnergyFile;
@@ -18,8 +17,15 @@ use super::record;
 use super::replace::{NewFile, remove_temporaries};
 use super::together::take_places;
 use super::trajectory::Trajectory;
+use super::written::{ENERGY, TRAJECTORY};
 use crate::analysis::energy::EnergyLedger;
 use crate::simulation::Simulation;
+
+const LIVE: &str = "out.txt";
+
+/// Every file that a run may be writing when it is killed.
+const FILES: [&str; 7] =
+    [LIVE, TRAJECTORY, ENERGY, record::FILE, failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
 
 /// What is to be written, where and how often.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,21 +67,20 @@ impl Recorder {
         make_ready(folder)?;
         remove_temporaries(folder, &FILES); // of a run that was killed at its start
         let new = |name: &str| NewFile::create(&folder.join(name));
-        let (live, trajectory) = (new("out.txt")?, new("trajectory.txt")?);
-        let energy = if plan.energy_every > 0 { Some(new("energy.csv")?) } else { None };
+        let (live, trajectory) = (new(LIVE)?, new(TRAJECTORY)?);
+        let energy = if plan.energy_every > 0 { Some(new(ENERGY)?) } else { None };
         let mut record = if plan.record.is_empty() { None } else { Some(new(record::FILE)?) };
         record.as_mut().map_or(Ok(()), |file| file.write(plan.record.as_bytes()))?;
 
         let path = |name: &str| folder.join(name);
         let energy_file = match &energy {
-            Some(new) => Some((
-                EnergyLedger::open(simulation),
-                EnergyFile::new(new.writer()?, path("energy.csv")),
-            )),
+            Some(new) => {
+                Some((EnergyLedger::open(simulation), EnergyFile::new(new.writer()?, path(ENERGY))))
+            }
             None => None,
         };
-        let frames = Trajectory::new(trajectory.writer()?, path("trajectory.txt"), plan.side);
-        let frame = LiveFrame { path: path("out.txt"), side: plan.side, border: plan.border };
+        let frames = Trajectory::new(trajectory.writer()?, path(TRAJECTORY), plan.side);
+        let frame = LiveFrame { path: path(LIVE), side: plan.side, border: plan.border };
         let mut recorder = Self {
             plan: plan.clone(),
             live: LiveWriter::new(frame),
@@ -199,7 +204,7 @@ impl Stale {
             (self.checkpoints, checkpoint::FILE),
             (self.checkpoints, checkpoint::PREVIOUS),
             (self.record, record::FILE),
-            (self.energy, "energy.csv"),
+            (self.energy, ENERGY),
         ];
         all.into_iter().filter_map(|(is_stale, name)| is_stale.then_some(name))
     }

@@ -1,6 +1,8 @@
 //! The parameters of a run, from the text of its record: what a student looks up first.
 
-use super::html::{self, escaped};
+use maud::{Markup, html};
+
+use super::html::{list as names_and_values, table};
 use super::words::Words;
 
 /// Listed discs and groups that a page has room for.
@@ -10,7 +12,7 @@ const MOST_LISTED: usize = 8;
 const OFF: [&str; 2] = ["allow_unstable", "border"];
 
 /// The keys of the record `text` with their values and units, and the time step `dt` (s).
-pub fn list(text: &str, dt: Option<f64>, words: &Words) -> String {
+pub fn list(text: &str, dt: Option<f64>, words: &Words) -> Markup {
     let keys = text.lines().take_while(|line| !line.starts_with("[["));
     let named = |line| {
         let (key, value) = parsed(line)?;
@@ -22,16 +24,15 @@ pub fn list(text: &str, dt: Option<f64>, words: &Words) -> String {
     };
     let mut rows: Vec<_> = keys.filter_map(named).collect();
     rows.extend(dt.map(|dt| (words.time_step.to_owned(), format!("{} s", number(dt, Some(6))))));
-    html::list(&rows)
+    names_and_values(&rows)
 }
 
 /// The discs and groups that the record lists, a line each, as far as there is room; nothing if there are
 /// none.
-pub fn listed(text: &str, words: &Words) -> String {
+pub fn listed(text: &str, words: &Words) -> Markup {
     let blocks: Vec<&str> = text.split("\n[[").skip(1).collect();
     let shown = &blocks[..blocks.len().min(MOST_LISTED)];
-    let mut page = String::new();
-    for same in shown.chunk_by(|a, b| kind(a) == kind(b)) {
+    let rows_of = |same: &[&str]| {
         let cells = |block: &&str| block.lines().filter_map(cell).collect::<Vec<_>>();
         let head = cells(&same[0]).into_iter().map(|(key, _)| key);
         let head = std::iter::once(kind(same[0]).to_owned()).chain(head).collect();
@@ -39,15 +40,12 @@ pub fn listed(text: &str, words: &Words) -> String {
             let values = cells(block).into_iter().map(|(_, value)| value);
             std::iter::once(k.to_string()).chain(values).collect()
         };
-        let rows = same.iter().enumerate().map(row);
-        page += &html::table(&std::iter::once(head).chain(rows).collect::<Vec<_>>());
-    }
-    match blocks.len() - shown.len() {
-        0 => page,
-        more => {
-            let more = words.more_listed.replace("{}", &more.to_string());
-            format!("{page}<p>{}</p>\n", escaped(&more))
-        }
+        std::iter::once(head).chain(same.iter().enumerate().map(row)).collect::<Vec<_>>()
+    };
+    let more = blocks.len() - shown.len();
+    html! {
+        @for same in shown.chunk_by(|a, b| kind(a) == kind(b)) { (table(&rows_of(same))) }
+        @if more > 0 { p { (words.more_listed.replace("{}", &more.to_string())) } }
     }
 }
 

@@ -1,15 +1,18 @@
 //! A run to look at: its frames and energies within a page, and the script that shows them.
 
+use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 use super::film::{ABSENT, BYTES, FASTEST, Film, SCALE};
-use super::html::{data, escaped, page};
+use super::html::{Page, data};
 use super::words::{PlayerWords, Words};
 use crate::analysis::energy::LedgerRow;
 use crate::figure::energy::{self, EXPLODED};
 use crate::figure::{colour, label};
 
 const SCRIPT: &str = include_str!("player.js");
+/// The style of pages with a player.
+pub const STYLE: &str = include_str!("style.css");
 /// Moments of the energies, at most; the picture is not so many pixels wide.
 const MOST_MOMENTS: usize = 600;
 /// Colours of speeds.
@@ -83,26 +86,33 @@ pub enum Beginning {
 
 /// A page of a player alone.
 pub fn alone(film: &Film, rows: &[LedgerRow], words: &Words) -> String {
-    let heading = format!("<h1>{}</h1>\n", escaped(words.player.title));
-    let body = heading + &player(film, rows, &words.player, Beginning::AtOnce);
-    page(words.code, words.player.title, "alone", &body)
+    let (language, title) = (words.code, words.player.title);
+    Page { language, title, class: "alone", style: STYLE, has_script: true }.around(&html! {
+        h1 { (title) }
+        (player(film, rows, &words.player, Beginning::AtOnce))
+    })
 }
 
 /// The player of a film, beside the energies of the ledger `rows`, if there are any.
-pub fn player(film: &Film, rows: &[LedgerRow], words: &PlayerWords, begins: Beginning) -> String {
+pub fn player(film: &Film, rows: &[LedgerRow], words: &PlayerWords, begins: Beginning) -> Markup {
     // Without times it is not known which energies belong to a frame.
     let energies = film.times().and_then(|_| energies(rows, words));
-    let beside = energies.as_ref().map_or(String::new(), |energies| beside(energies, words));
-    let bar = film.fastest().map_or(String::new(), |fastest| bar(fastest, words));
-    let seen = escaped(words.picture);
-    let (controls, note) = (controls(film, words), note(film, words));
-    let stage = format!(
-        "<div class=\"stage\">\n<div>\n<canvas id=\"discs\" role=\"img\" aria-label=\"{seen}\"></canvas>\n\
-         {controls}{bar}</div>\n{beside}</div>\n"
-    );
-    let script = format!("<script>\n{SCRIPT}</script>\n");
-    let film = data("film", &contents(film, energies, words, begins));
-    format!("<section class=\"player\">\n{stage}{note}</section>\n{film}{script}")
+    html! {
+        section.player {
+            div.stage {
+                div {
+                    canvas #discs role="img" aria-label=(words.picture) {}
+                    (controls(film, words))
+                    @if let Some(fastest) = film.fastest() { (bar(fastest, words)) }
+                }
+                @if let Some(energies) = &energies { (beside(energies, words)) }
+            }
+            p.note { (note(film, words)) }
+            noscript { p { (words.no_script) } }
+        }
+        (data("film", &contents(film, energies, words, begins)))
+        script { (PreEscaped(SCRIPT)) }
+    }
 }
 
 fn contents<'a>(
@@ -175,61 +185,55 @@ fn digits(value: f64) -> f64 {
 }
 
 /// The curves of the energies, and their values at the moment.
-fn beside(energies: &Energies, words: &PlayerWords) -> String {
-    let item = |curve: &Curve| {
-        let Curve { name, colour, .. } = curve;
-        format!("<dt style=\"color: {colour}\">{}</dt><dd></dd>\n", escaped(name))
-    };
-    let items: String = energies.curves.iter().map(item).collect();
-    let seen = escaped(words.curves);
-    format!(
-        "<div>\n<canvas id=\"energies\" role=\"img\" aria-label=\"{seen}\"></canvas>\n\
-         <dl id=\"now\">\n{items}</dl>\n</div>\n"
-    )
+fn beside(energies: &Energies, words: &PlayerWords) -> Markup {
+    html! {
+        div {
+            canvas #energies role="img" aria-label=(words.curves) {}
+            dl #now {
+                @for Curve { name, colour, .. } in &energies.curves {
+                    dt style={ "color: " (colour) } { (name) }
+                    dd {}
+                }
+            }
+        }
+    }
 }
 
 /// What the colours say.
-fn bar(fastest: f64, words: &PlayerWords) -> String {
+fn bar(fastest: f64, words: &PlayerWords) -> Markup {
     let shades: Vec<String> = colour::SCALE.iter().map(|shade| colour::hex(*shade)).collect();
-    format!(
-        "<p class=\"bar\"><span>{}</span> 0 <i style=\"background: linear-gradient(to right, {})\"></i> {} m/s</p>\n",
-        escaped(words.speed),
-        shades.join(", "),
-        label::short(fastest, 3)
-    )
+    let scale = format!("background: linear-gradient(to right, {})", shades.join(", "));
+    html! {
+        p.bar { span { (words.speed) } " 0 " i style=(scale) {} " " (label::short(fastest, 3)) " m/s" }
+    }
 }
 
-fn controls(film: &Film, words: &PlayerWords) -> String {
+fn controls(film: &Film, words: &PlayerWords) -> Markup {
     let button = |id: &str, text: &str, said: &str| {
-        let (text, said) = (escaped(text), escaped(said));
-        format!("<button type=\"button\" id=\"{id}\" title=\"{said}\">{text}</button>\n")
+        html! { button type="button" id=(id) title=(said) { (text) } " " }
     };
-    let paces = PACES.map(|(value, text)| {
-        let chosen = if value == USUAL_PACE { " selected" } else { "" };
-        format!("<option value=\"{value}\"{chosen}>{text}</option>")
-    });
     let last = film.frames().0.saturating_sub(1);
-    [
-        "<div class=\"controls\">\n".to_owned(),
-        button("play", words.play, words.play_said),
-        button("back", "\u{2039}", words.back),
-        button("forth", "\u{203a}", words.forth),
-        format!(
-            "<input type=\"range\" id=\"moment\" min=\"0\" max=\"{last}\" value=\"0\" aria-label=\"{}\">\n",
-            escaped(words.moment)
-        ),
-        "<output id=\"clock\"></output>\n".to_owned(),
-        format!(
-            "<label>{} <select id=\"pace\">{}</select></label>\n<span id=\"rate\"></span>\n",
-            escaped(words.pace),
-            paces.concat()
-        ),
-        "</div>\n".to_owned(),
-    ]
-    .concat()
+    html! {
+        div.controls {
+            (button("play", words.play, words.play_said))
+            (button("back", "\u{2039}", words.back))
+            (button("forth", "\u{203a}", words.forth))
+            input #moment type="range" min="0" max=(last) value="0" aria-label=(words.moment);
+            output #clock {}
+            label {
+                (words.pace) " "
+                select #pace {
+                    @for (value, text) in PACES {
+                        option value=(value) selected[value == USUAL_PACE] { (text) }
+                    }
+                }
+            }
+            " " span #rate {}
+        }
+    }
 }
 
-/// What the film leaves out, how it is played by keys, and what is to be seen without a script.
+/// What the film leaves out, and how it is played by keys.
 fn note(film: &Film, words: &PlayerWords) -> String {
     let (kept, all) = film.frames();
     let mut parts = Vec::new();
@@ -246,9 +250,5 @@ fn note(film: &Film, words: &PlayerWords) -> String {
         parts.push(words.enlarged.to_owned());
     }
     parts.push(words.keys.to_owned());
-    let without = escaped(words.no_script);
-    format!(
-        "<p class=\"note\">{}</p>\n<noscript><p>{without}</p></noscript>\n",
-        escaped(&parts.join(" "))
-    )
+    parts.join(" ")
 }

@@ -1,12 +1,12 @@
 //! The report of a run: what a student hands in.
 
-use std::fmt::Write;
+use maud::{Markup, html};
 
 use super::film::Film;
 use super::gas::NoGas;
-use super::html::{escaped, list, page, table};
+use super::html::{Page, list, section, table};
 use super::parameters;
-use super::player::{Beginning, player};
+use super::player::{Beginning, STYLE, player};
 use super::small::{self, panels};
 use super::words::Words;
 use crate::analysis::answer::{Answer, AnswerRow};
@@ -59,18 +59,28 @@ impl Report {
     /// The page, in the language of `words`.
     pub fn html(&self, words: &Words) -> String {
         let film = player(&self.film, &self.rows, &words.player, Beginning::WhenAsked);
-        let parts = [
-            self.head(words),
-            self.how_to_repeat(words),
-            format!("<div class=\"screen\">\n{}</div>\n", section(words.player_heading, &film)),
-            self.failure(words),
-            self.numbers(words),
-            section(words.own_words, &editable("div", "own", words.own_words, "")),
-            self.diagnosis(words),
-            self.pictures(words),
-        ];
         let class = if self.is_long() { "long" } else { "usual" };
-        page(words.code, words.report, class, &parts.concat())
+        let (language, title) = (words.code, words.report);
+        Page { language, title, class, style: STYLE, has_script: true }.around(&html! {
+            header {
+                h1 { (words.report) }
+                p.who {
+                    span.label { (words.name) } " "
+                    span.name contenteditable="true" role="textbox" aria-label=(words.name) {
+                        (self.name.as_deref().unwrap_or_default())
+                    }
+                }
+            }
+            (self.how_to_repeat(words))
+            div.screen { (section(words.player_heading, &film)) }
+            (self.failure(words))
+            (self.numbers(words))
+            (section(words.own_words, &html! {
+                div.own contenteditable="true" role="textbox" aria-label=(words.own_words) {}
+            }))
+            (self.diagnosis(words))
+            (self.pictures(words))
+        })
     }
 
     /// Whether there is so much to say that the first sheet must be printed smaller to hold it.
@@ -81,56 +91,64 @@ impl Report {
         findings > USUAL_FINDINGS || !self.failure.is_empty() || lists_discs
     }
 
-    fn head(&self, words: &Words) -> String {
-        let name = editable("span", "name", words.name, self.name.as_deref().unwrap_or_default());
-        format!(
-            "<header>\n<h1>{}</h1>\n<p class=\"who\"><span class=\"label\">{}</span> {name}</p>\n</header>\n",
-            escaped(words.report),
-            escaped(words.name)
+    /// Parameters beside results.
+    fn numbers(&self, words: &Words) -> Markup {
+        let dt = self.diagnosis.as_ref().ok().map(|diagnosis| diagnosis.dt_s);
+        html! {
+            div.columns {
+                (section(words.parameters, &parameters::list(&self.scenario, dt, words)))
+                div { (self.results(words)) (self.theory(words)) }
+            }
+            (parameters::listed(&self.scenario, words))
+        }
+    }
+
+    fn how_to_repeat(&self, words: &Words) -> Markup {
+        section(
+            words.how_to_repeat,
+            &html! {
+                @if let Some(typed) = &self.typed { p { (words.typed) code { (typed) } } }
+                p { (words.repeats) code { (self.repeats) } }
+                @if !self.data.is_empty() {
+                    p {
+                        (words.data)
+                        @for (k, (name, bytes)) in self.data.iter().enumerate() {
+                            @if k > 0 { "; " }
+                            a href=(name) { (name) } ", " (size(*bytes))
+                        }
+                    }
+                }
+            },
         )
     }
 
-    /// Parameters beside results.
-    fn numbers(&self, words: &Words) -> String {
-        let dt = self.diagnosis.as_ref().ok().map(|diagnosis| diagnosis.dt_s);
-        let parameters = section(words.parameters, &parameters::list(&self.scenario, dt, words));
-        let listed = parameters::listed(&self.scenario, words);
-        let results = self.results(words) + &self.theory(words);
-        format!("<div class=\"columns\">\n{parameters}<div>\n{results}</div>\n</div>\n{listed}")
-    }
-
-    fn how_to_repeat(&self, words: &Words) -> String {
-        let line = |said: &str, command: &str| {
-            format!("<p>{}<code>{}</code></p>\n", escaped(said), escaped(command))
-        };
-        let typed = self.typed.as_ref().map(|typed| line(words.typed, typed));
-        let again = line(words.repeats, &self.repeats);
-        section(words.how_to_repeat, &(typed.unwrap_or_default() + &again + &self.data(words)))
-    }
-
-    fn failure(&self, words: &Words) -> String {
-        if self.failure.is_empty() && self.cut.is_none() {
-            return String::new();
-        }
+    fn failure(&self, words: &Words) -> Markup {
         const SHORT: usize = 24; // letters
-        let mut text = "<dl class=\"said\">\n".to_owned();
-        for (key, value) in &self.failure {
+        if self.failure.is_empty() && self.cut.is_none() {
+            return html! {};
+        }
+        let named = self.failure.iter().map(|(key, value)| {
             let name = words.failure_names.iter().find(|(known, _)| known == key);
-            let (name, value) = (name.map_or(key.as_str(), |(_, name)| name), rounded(value));
-            let class = if value.len() > SHORT { " class=\"wide-one\"" } else { "" };
-            let (name, value) = (escaped(name), escaped(&value));
-            let _ = writeln!(text, "<dt{class}>{name}</dt><dd{class}>{value}</dd>");
-        }
-        text += "</dl>\n";
-        if let Some(cut) = &self.cut {
-            let _ = writeln!(text, "<p>{}{}</p>", escaped(words.cut), escaped(cut));
-        }
-        section(words.failure, &text)
+            (name.map_or(key.as_str(), |(_, name)| name), rounded(value))
+        });
+        section(
+            words.failure,
+            &html! {
+                dl.said {
+                    @for (name, value) in named {
+                        @let class = (value.len() > SHORT).then_some("wide-one");
+                        dt class=[class] { (name) }
+                        dd class=[class] { (value) }
+                    }
+                }
+                @if let Some(cut) = &self.cut { p { (words.cut) (cut) } }
+            },
+        )
     }
 
-    fn theory(&self, words: &Words) -> String {
+    fn theory(&self, words: &Words) -> Markup {
         if self.answer.is_empty() {
-            return String::new();
+            return html! {};
         }
         let mut rows = vec![words.answer_head.map(str::to_owned).to_vec()];
         for AnswerRow { what, unit, theory, measured, error, order } in self.answer.rows() {
@@ -141,30 +159,27 @@ impl Report {
         section(words.answer, &table(&rows))
     }
 
-    fn results(&self, words: &Words) -> String {
+    fn results(&self, words: &Words) -> Markup {
         let named = |(key, value): &(String, String)| {
             let name = words.result_names.iter().find(|(known, _)| known == key);
             (name.map_or(key.clone(), |(_, name)| (*name).to_owned()), rounded(value))
         };
-        let text = match self.results.is_empty() {
-            true => format!("<p>{}</p>\n", escaped(words.no_results)),
-            false => list(&self.results.iter().map(named).collect::<Vec<_>>()),
-        };
-        section(words.results, &text)
+        section(
+            words.results,
+            &match self.results.is_empty() {
+                true => html! { p { (words.no_results) } },
+                false => list(&self.results.iter().map(named).collect::<Vec<_>>()),
+            },
+        )
     }
 
-    fn diagnosis(&self, words: &Words) -> String {
+    fn diagnosis(&self, words: &Words) -> Markup {
         let diagnosis = match &self.diagnosis {
             Ok(diagnosis) => diagnosis,
             Err(why) => {
-                let text = format!("<p>{}{}</p>\n", escaped(words.no_diagnosis), escaped(why));
-                return section(words.diagnosis, &text);
+                return section(words.diagnosis, &html! { p { (words.no_diagnosis) (why) } });
             }
         };
-        let mut text = sentence(diagnosis.verdict, &diagnosis.sentence);
-        for finding in diagnosis.findings.iter().skip(1) {
-            text += &sentence(finding.verdict, &finding.sentence());
-        }
         let rows = |head: [&str; 4], rows: Vec<[String; 4]>| {
             let head = std::iter::once(head.map(str::to_owned));
             table(&head.chain(rows).map(Vec::from).collect::<Vec<_>>())
@@ -174,85 +189,69 @@ impl Report {
             let [pair, wall] = [figure.pair, figure.wall].map(cell);
             [figure.name.to_owned(), pair, wall, verdict(figure.verdict)]
         });
-        text += "<div class=\"tables\">\n";
-        text += &rows(words.contact_head, figures.collect());
         let limits = diagnosis.limits.iter().map(|limit| {
             let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);
             [limit.by.clone(), dt, fraction, verdict(Some(limit.verdict))]
         });
-        text += &rows(words.limit_head, limits.collect());
-        let _ = writeln!(text, "</div>\n<p>{}</p>", escaped(CAVEAT));
-        section(words.diagnosis, &text)
+        section(
+            words.diagnosis,
+            &html! {
+                (sentence(diagnosis.verdict, &diagnosis.sentence))
+                @for finding in diagnosis.findings.iter().skip(1) {
+                    (sentence(finding.verdict, &finding.sentence()))
+                }
+                div.tables {
+                    (rows(words.contact_head, figures.collect()))
+                    (rows(words.limit_head, limits.collect()))
+                }
+                p { (CAVEAT) }
+            },
+        )
     }
 
-    fn pictures(&self, words: &Words) -> String {
+    fn pictures(&self, words: &Words) -> Markup {
         let energy = match &self.energy {
             Some(energy) => {
                 let captions = [words.energy_caption, words.residue_caption];
                 let panels = energy.panels.iter().zip(captions).enumerate();
                 pair(panels.map(|(k, (panel, caption))| small::panel(1 + k, panel, caption, words)))
             }
-            None => {
-                let why = self.no_rows.as_deref().unwrap_or(words.no_energy);
-                format!("<p>{}</p>\n", escaped(why))
-            }
+            None => html! { p { (self.no_rows.as_deref().unwrap_or(words.no_energy)) } },
         };
         let [first, last] = &self.frames;
         let frames = [(first, words.first_frame), (last, words.last_frame)].into_iter().enumerate();
         let frames =
             frames.flat_map(|(k, (figure, caption))| panels(3 + k, figure, caption, words));
-        section(words.energy, &energy) + &section(words.frames, &pair(frames)) + &self.motion(words)
+        html! {
+            (section(words.energy, &energy))
+            (section(words.frames, &pair(frames)))
+            (self.motion(words))
+        }
     }
 
     /// The velocity field beside the histogram of speeds.
-    fn motion(&self, words: &Words) -> String {
-        let velocity = self.velocity.iter().flat_map(|figure| {
-            let text = small::field(5, figure, words);
-            text.into_iter().map(|text| section(words.velocity, &text))
-        });
+    fn motion(&self, words: &Words) -> Markup {
+        let velocity = self.velocity.iter().flat_map(|figure| small::field(5, figure, words));
+        let velocity = velocity.map(|figure| section(words.velocity, &figure));
         let said = match self.no_gas {
             None => words.maxwell,
             Some(why) => (words.no_maxwell)(why),
         };
         let speeds = match &self.speeds {
-            Some(speeds) => panels(6, speeds, said, words).concat(),
-            None => format!("<p>{}</p>\n", escaped(words.no_speeds)),
+            Some(speeds) => html! { @for panel in panels(6, speeds, said, words) { (panel) } },
+            None => html! { p { (words.no_speeds) } },
         };
         pair(velocity.chain([section(words.speeds, &speeds)]))
     }
-
-    fn data(&self, words: &Words) -> String {
-        if self.data.is_empty() {
-            return String::new();
-        }
-        let link = |(name, bytes): &(String, u64)| {
-            let name = escaped(name);
-            format!("<a href=\"{name}\">{name}</a>, {}", size(*bytes))
-        };
-        let links: Vec<String> = self.data.iter().map(link).collect();
-        format!("<p>{}{}</p>\n", escaped(words.data), links.join("; "))
-    }
-}
-
-fn section(heading: &str, text: &str) -> String {
-    format!("<section>\n<h2>{}</h2>\n{text}</section>\n", escaped(heading))
 }
 
 /// Parts side by side where there is room for them.
-fn pair(parts: impl Iterator<Item = String>) -> String {
-    format!("<div class=\"pair\">\n{}</div>\n", parts.collect::<String>())
+fn pair(parts: impl Iterator<Item = Markup>) -> Markup {
+    html! { div.pair { @for part in parts { (part) } } }
 }
 
-/// A place to write into, of a `class`; what it is for is told to those who do not see it.
-fn editable(tag: &str, class: &str, purpose: &str, text: &str) -> String {
-    let (purpose, text) = (escaped(purpose), escaped(text));
-    format!(
-        "<{tag} class=\"{class}\" contenteditable=\"true\" role=\"textbox\" aria-label=\"{purpose}\">{text}</{tag}>\n"
-    )
-}
-
-fn sentence(verdict: Verdict, text: &str) -> String {
-    format!("<p><span class=\"verdict {verdict}\">{verdict}</span>: {}</p>\n", escaped(text))
+fn sentence(verdict: Verdict, text: &str) -> Markup {
+    html! { p { span class={ "verdict " (verdict) } { (verdict) } ": " (text) } }
 }
 
 /// A value with six digits, if it is a number that has more; else as it is.

@@ -1,5 +1,7 @@
 //! Pictures of half the width of a sheet: what must be larger to be seen there, and what is left out.
 
+use maud::Markup;
+
 use super::html::figure;
 use super::words::Words;
 use crate::figure::frame::LONGEST_ARROW;
@@ -17,12 +19,12 @@ const LEAST_RADIUS: f64 = 0.005;
 const MOST_ARROWS: usize = 2000;
 
 /// The panels of a figure, each as number `k` of the page.
-pub fn panels(k: usize, figure: &Figure, caption: &str, words: &Words) -> Vec<String> {
+pub fn panels(k: usize, figure: &Figure, caption: &str, words: &Words) -> Vec<Markup> {
     figure.panels.iter().map(|panel| self::panel(k, panel, caption, words)).collect()
 }
 
 /// A velocity field as number `k` of the page: fewer arrows if there are many, longer ones if there are few.
-pub fn field(k: usize, figure: &Figure, words: &Words) -> Vec<String> {
+pub fn field(k: usize, figure: &Figure, words: &Words) -> Vec<Markup> {
     let mut figure = figure.clone();
     let longest = (100.0 * stretched(&mut figure) * LONGEST_ARROW).round().to_string();
     let mut caption = words.velocity_caption.replace("{}", &longest);
@@ -35,7 +37,7 @@ pub fn field(k: usize, figure: &Figure, words: &Words) -> Vec<String> {
 }
 
 /// A panel of half the width of a sheet. Its title goes into the caption, which wraps.
-pub fn panel(k: usize, panel: &Panel, caption: &str, words: &Words) -> String {
+pub fn panel(k: usize, panel: &Panel, caption: &str, words: &Words) -> Markup {
     let mut panel = panel.clone();
     let mut caption = caption.to_owned();
     let (size, title) = match &mut panel {
@@ -51,7 +53,7 @@ pub fn panel(k: usize, panel: &Panel, caption: &str, words: &Words) -> String {
         caption = format!("{}. {caption}", std::mem::take(title));
     }
     let small = Figure { panels: vec![panel], columns: 1, panel: size, strip: None };
-    figure(k, &small, &caption)
+    figure(k, &small.to_svg(), &caption)
 }
 
 /// Makes discs larger that would be lost on paper; says whether there are such.

@@ -9,10 +9,9 @@ use super::framed::FramedDiscs;
 use super::settings::Settings;
 use super::{DiscSource, Scenario, file};
 use crate::output::recorder::OutputPlan;
-use crate::output::recorder::continued::Written;
+use crate::output::written::Written;
 use crate::particle::Particle;
-use crate::simulation::state::Array;
-use crate::simulation::state::view::ArrayView;
+use crate::simulation::state::{Array, ArrayView};
 
 /// Name of the array with the discs of `--start`.
 const FRAME: &str = "frame";
@@ -27,7 +26,7 @@ impl Scenario {
         let of_disc = |p: Particle| {
             [p.position.x, p.position.y, p.velocity.x, p.velocity.y, p.radius, p.mass]
         };
-        vec![(FRAME, ArrayView::of_numbers(discs.iter().map(of_disc)))]
+        vec![(FRAME, ArrayView::of_rows(discs.iter().map(of_disc)))]
     }
 
     /// The scenario of a checkpoint, from its `text` and `arrays`, of which its own is taken, with the `changes` said now; and whether they

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::error::ScenarioError;
 use super::framed::FramedDiscs;
-use super::range::{finite, not_negative, positive, radius_in, whole};
+use super::range::{ABOVE_0, ANY, FROM_0, Range, from_to, radius_in};
 use super::resolve::si;
 use super::settings::{DiscSettings, PopulationSettings, Settings};
 use super::start;
@@ -14,7 +14,7 @@ use super::{DiscSource, Population, Scenario};
 use crate::particle::Particle;
 
 /// More discs than this do not fit the memory of a machine of today (250 bytes each).
-const MOST_DISCS: i64 = 100_000_000;
+const NUMBERS: Range = from_to(1.0, 1e8);
 
 impl Scenario {
     /// Takes over the discs that `settings` say, or `usual` many equal ones. A frame may bring
@@ -50,11 +50,11 @@ impl Scenario {
         } else if let Some(said) = &settings.start {
             let (frame, side) = start::read(said, self, settings)?;
             if let (None, Some(side)) = (settings.side, side) {
-                self.side = positive("side_m of the frame", side, "--side 4cm")?;
+                self.side = ABOVE_0.check("side_m of the frame", side, "--side 4cm")?;
             }
             frame
         } else if discs.is_empty() && groups.is_empty() {
-            let n = whole("n", settings.n.unwrap_or(usual as i64), 1..=MOST_DISCS, "-n 20")?;
+            let n = NUMBERS.check_whole("n", settings.n.unwrap_or(usual as i64), "-n 20")?;
             radius_in(self.side, "radius", self.radius, self.walls)?;
             DiscSource::Equal(n as usize)
         } else {
@@ -64,7 +64,7 @@ impl Scenario {
                 (listed.collect::<Result<_, _>>()?, groups.collect::<Result<_, _>>()?);
             DiscSource::Listed(listed, groups)
         };
-        whole("the number of discs", self.n() as i64, 1..=MOST_DISCS, "fewer discs")?;
+        NUMBERS.check_whole("the number of discs", self.n() as i64, "fewer discs")?;
         Ok(())
     }
 
@@ -73,9 +73,10 @@ impl Scenario {
         let field = |name: &str| format!("disc {id}: {name}");
         let radius = si(said.radius, self.radius);
         let radius = radius_in(self.side, &field("radius"), radius, self.walls)?;
-        let mass = positive(&field("mass"), si(said.mass, self.mass), "mass = 1e-3")?;
+        let mass = ABOVE_0.check(&field("mass"), si(said.mass, self.mass), "mass = 1e-3")?;
         let vector = |name: &str, [x, y]: [f64; 2]| {
-            let component = |axis, value| finite(&field(&format!("{name} {axis}")), value);
+            let component =
+                |axis, value| ANY.check(&field(&format!("{name} {axis}")), value, "write a number");
             Ok(DVec2::new(component("x", x)?, component("y", y)?))
         };
         let position = vector("position", said.position.si)?;
@@ -92,10 +93,10 @@ impl Scenario {
         let mass = si(said.mass, self.mass);
         let speed = si(said.speed, self.speed);
         Ok(Population {
-            n: whole(&field("n"), said.n, 1..=MOST_DISCS, "n = 20")? as usize,
+            n: NUMBERS.check_whole(&field("n"), said.n, "n = 20")? as usize,
             radius: radius_in(self.side, &field("radius"), radius, true)?,
-            mass: positive(&field("mass"), mass, "mass = 1e-3")?,
-            speed: not_negative(&field("speed"), speed, "speed = 0.1")?,
+            mass: ABOVE_0.check(&field("mass"), mass, "mass = 1e-3")?,
+            speed: FROM_0.check(&field("speed"), speed, "speed = 0.1")?,
         })
     }
 }

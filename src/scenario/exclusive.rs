@@ -30,22 +30,17 @@ pub(super) fn check(settings: &Settings) -> Result<(), ScenarioError> {
     Ok(())
 }
 
+/// The flags that cannot stand beside that of the key `name`: those that say the same in another way.
+pub(super) fn flags(name: &str) -> impl Iterator<Item = &'static str> {
+    let groups = GROUPS.iter().take(3).filter(move |(group, _)| group.contains(&name));
+    groups.flat_map(|(group, _)| group.iter().copied()).filter(move |other| *other != name)
+}
+
 fn is_said(settings: &Settings, name: &str) -> bool {
     match name {
-        "eta" => settings.eta.is_some(),
-        "gamma" => settings.gamma.is_some(),
-        "restitution" => settings.restitution.is_some(),
-        "nt" => settings.nt.is_some(),
-        "dt" => settings.dt.is_some(),
-        "walls" => settings.walls.is_some(),
-        "no_walls" => settings.no_walls.is_some(),
-        "start" => settings.start.is_some(),
-        "n" => settings.n.is_some(),
-        "placement" => settings.placement.is_some(),
-        "speed" => settings.speed.is_some(),
         "only [[disc]]" => !settings.discs.is_empty() && settings.populations.is_empty(),
         "[[disc]]" => !settings.discs.is_empty(),
         "[[population]]" => !settings.populations.is_empty(),
-        _ => unreachable!("{name} is in no group"),
+        key => settings.says(key),
     }
 }

@@ -5,11 +5,14 @@ use crate::analysis::bounce::Touch;
 use crate::analysis::collision::{
     angular_frequency, damping_ratio, largest_overlap, restitution, scaled_duration,
 };
+use crate::analysis::linear::Linear;
 use crate::analysis::stability::Species;
 
 /// What one kind of contact, a pair's or a wall's, will be like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExpectedContact {
+    /// Reduced mass m_eff.
+    pub reduced_mass: f64, // kg
     /// Undamped angular frequency omega0.
     pub angular_frequency: f64, // 1/s
     /// Damping ratio zeta.
@@ -100,21 +103,24 @@ impl Scenario {
 
     /// The largest overlap, m, of a contact of this reduced mass (kg) met at the expected speed.
     fn expected_depth(&self, reduced_mass: f64) -> f64 {
-        let zeta = self.damping_ratio(reduced_mass);
-        largest_overlap(self.expected_speed(), zeta, self.stiffness, reduced_mass)
+        let Linear { stiffness, damping } = self.linear(reduced_mass);
+        let zeta = damping_ratio(damping, stiffness, reduced_mass);
+        largest_overlap(self.expected_speed(), zeta, stiffness, reduced_mass)
     }
 
     /// A contact of `reduced_mass` (kg) in time, and of `largest_overlap` radii.
     fn expected_contact(&self, reduced_mass: f64, largest_overlap: f64) -> ExpectedContact {
-        let omega = angular_frequency(self.stiffness, reduced_mass);
-        let zeta = self.damping_ratio(reduced_mass);
+        let Linear { stiffness, damping } = self.linear(reduced_mass);
+        let omega = angular_frequency(stiffness, reduced_mass);
+        let zeta = damping_ratio(damping, stiffness, reduced_mass);
         let duration = scaled_duration(zeta, self.contact_end()) / omega;
         let weights = self.species().into_iter().map(|disc| disc.mass / disc.radius);
-        let static_overlap = weights.fold(0.0, f64::max) * self.gravity.size() / self.stiffness;
+        let static_overlap = weights.fold(0.0, f64::max) * self.gravity.size() / stiffness;
         let (_, largest) = self.radius_range();
         let area = self.n() as f64 * 4.0 * largest * largest;
         let layers = self.gravity.heap_depth(area, self.side) / (2.0 * largest);
         ExpectedContact {
+            reduced_mass,
             angular_frequency: omega,
             damping_ratio: zeta,
             duration,
@@ -130,9 +136,10 @@ impl Scenario {
     /// 0 if it stays, `None` without a weight.
     pub(super) fn bounce_with_weight(&self) -> Option<f64> {
         let (reduced_mass, push) = (self.mass_range().0, self.gravity.vector.abs().max_element());
+        let Linear { stiffness, damping } = self.linear(reduced_mass);
         let touch = Touch {
-            stiffness: self.stiffness,
-            eta: self.law().damping.coefficient(self.stiffness, reduced_mass),
+            stiffness,
+            eta: damping,
             reduced_mass,
             speed: self.expected_speed(),
             push,
@@ -179,7 +186,7 @@ impl Scenario {
 
     /// The damping ratio zeta of a contact of this reduced mass, kg.
     pub(super) fn damping_ratio(&self, reduced_mass: f64) -> f64 {
-        let eta = self.law().damping.coefficient(self.stiffness, reduced_mass);
-        damping_ratio(eta, self.stiffness, reduced_mass)
+        let Linear { stiffness, damping } = self.linear(reduced_mass);
+        damping_ratio(damping, stiffness, reduced_mass)
     }
 }

@@ -1,13 +1,12 @@
 //! What a mistake in a scenario file most likely is, in the words of the person who made it: the parser's own
 //! message knows TOML, and not what was meant.
 
-use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
 use super::file::did_you_mean;
+use super::keys::KEYS;
 use super::number::Num;
-use super::preset::Preset;
 use super::quantity::is_with_unit;
-use super::settings::{IntegratorName, PlacementName};
 
 /// A sentence for the parser's `message` on line `number` (from 1) of `text`, with the line as it should be;
 /// `None` where the parser says it well.
@@ -64,18 +63,11 @@ fn each_quoted(list: &str) -> Option<String> {
 }
 
 /// The name that was probably meant by `value` among those that `key` takes.
-fn nearest_name(key: &str, value: &str) -> Option<&'static str> {
-    match key {
-        "integrator" => near(value, IntegratorName::value_variants(), |name| name.name()),
-        "placement" => near(value, PlacementName::value_variants(), |name| name.name()),
-        "preset" => near(value, Preset::value_variants(), |name| name.name()),
-        _ => None,
-    }
-}
-
-fn near<T: Copy>(value: &str, all: &[T], name: fn(T) -> &'static str) -> Option<&'static str> {
-    let names: Vec<&str> = all.iter().map(|&one| name(one)).collect();
-    did_you_mean(value, &names)
+fn nearest_name(key: &str, value: &str) -> Option<String> {
+    let flag = KEYS.iter().find(|known| known.name == key)?.arg();
+    let names = flag.get_possible_values();
+    let names: Vec<&str> = names.iter().map(PossibleValue::get_name).collect();
+    did_you_mean(value, &names).filter(|_| !flag.is_require_equals_set()).map(str::to_owned)
 }
 
 /// The key and the value of a line, without the remark behind it.
@@ -197,7 +189,7 @@ fn of_value(message: &str, key: &str, value: &str) -> Option<String> {
             Some(format!("a number stands alone and is written out, as 5e-4: {value} is none"))
         }
         Err(_) => {
-            let name = nearest_name(key, value).unwrap_or(value);
+            let name = nearest_name(key, value).unwrap_or(value.to_owned());
             Some(format!("text stands in quotes: {key} = '{name}'"))
         }
     }

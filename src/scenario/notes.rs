@@ -65,7 +65,10 @@ impl Scenario {
     /// How the preset reads the guide's damping, if that is the damping of this run.
     pub fn reading_of_the_guide(&self) -> Option<String> {
         let printed = "the guide prints eta_n = 1.5e3";
-        let zeta = damping_ratio(1.5e3, self.stiffness, 0.5 * self.mass);
+        let zeta_of = |eta: f64, reduced_mass: f64| {
+            damping_ratio(eta, self.linear(reduced_mass).stiffness, reduced_mass)
+        };
+        let zeta = zeta_of(1.5e3, 0.5 * self.mass);
         let times = format!("{} times critical damping for a pair", Num::rounded(zeta));
         let unchanged = self.damping == self.preset.values().damping;
         match (self.preset, self.damping) {
@@ -78,9 +81,7 @@ impl Scenario {
             }
             (Preset::GuideMassScaled, DampingChoice::Gamma(gamma)) if unchanged => {
                 let e = |reduced_mass: f64| {
-                    let eta = gamma * reduced_mass;
-                    let zeta = damping_ratio(eta, self.stiffness, reduced_mass);
-                    restitution(zeta, self.contact_end())
+                    restitution(zeta_of(gamma * reduced_mass, reduced_mass), self.contact_end())
                 };
                 Some(format!(
                     "{printed}, taken as a rate: eta_n = m_eff gamma, restitution {:.3} for a pair \
@@ -144,7 +145,7 @@ impl Scenario {
     }
 
     fn note_on_threads(&self) -> Option<String> {
-        let asked = self.output.threads.filter(|&threads| threads > self.threads())?;
+        let asked = self.output.threads.filter(|&threads| threads > self.threads() as u64)?;
         let n = self.n();
         Some(format!(
             "--threads {asked}: {n} discs run on one, sharing pays from some thousands on"

@@ -10,7 +10,7 @@ use super::{DiscSource, Scenario};
 use crate::analysis::collision::angular_frequency;
 use crate::force::HalfPlane;
 use crate::neighbours::Neighbours;
-use crate::particle::{Contact, Particle};
+use crate::particle::{Contact, ContactLaw, Particle, SpringDashpot};
 
 /// Overlaps below this many radii are rounding, or contacts at rest.
 const TOUCHING: f64 = 1e-3;
@@ -22,19 +22,20 @@ impl Scenario {
         self.each_wall_overlap(discs, &mut look);
         let mut neighbours = Neighbours::default();
         neighbours.refresh(discs);
-        neighbours.pairs().filter_map(|(i, j)| self.overlap_of(discs, i, j)).for_each(look);
+        let law = &self.law();
+        neighbours.pairs().filter_map(|(i, j)| Self::overlap_of(law, discs, i, j)).for_each(look);
     }
 
     /// The same of overlaps with walls alone.
     pub(super) fn each_wall_overlap(&self, discs: &[Particle], mut look: impl FnMut(Overlap)) {
-        let planes = HalfPlane::square(self.side);
+        let (law, planes) = (&self.law(), HalfPlane::square(self.side));
         let planes = if self.walls { &planes[..] } else { &[] };
         for (disc, p) in discs.iter().enumerate() {
             for plane in planes {
                 let distance = plane.distance(p.position);
                 if let Some(contact) = Contact::with_wall(p, distance, plane.normal) {
                     let relative = contact.overlap / p.radius;
-                    let parting_speed = self.parting_speed(&contact);
+                    let parting_speed = Self::parting_speed(law, &contact);
                     let (other, centres_coincide) = (None, false);
                     look(Overlap { disc, other, relative, centres_coincide, parting_speed });
                 }
@@ -43,14 +44,14 @@ impl Scenario {
     }
 
     /// How discs `i` and `j` overlap, if they do.
-    fn overlap_of(&self, discs: &[Particle], i: usize, j: usize) -> Option<Overlap> {
+    fn overlap_of(law: &SpringDashpot, discs: &[Particle], i: usize, j: usize) -> Option<Overlap> {
         let contact = Contact::between(&discs[i], &discs[j])?;
         Some(Overlap {
             disc: i,
             other: Some(j),
             relative: contact.overlap / discs[i].radius.min(discs[j].radius),
             centres_coincide: discs[i].position == discs[j].position,
-            parting_speed: self.parting_speed(&contact),
+            parting_speed: Self::parting_speed(law, &contact),
         })
     }
 
@@ -60,6 +61,7 @@ impl Scenario {
     pub(super) fn crammed(&self, discs: &[Particle]) -> Option<Overlap> {
         let smallest = discs.iter().map(|disc| disc.radius).fold(f64::INFINITY, f64::min);
         let side = smallest * std::f64::consts::FRAC_1_SQRT_2;
+        let law = &self.law();
         let mut squares = HashMap::with_capacity(discs.len());
         discs.iter().enumerate().find_map(|(j, disc)| {
             // Plus zero: there is a zero below zero as well.
@@ -67,7 +69,7 @@ impl Scenario {
             let square = square.to_array().map(f64::to_bits);
             let i = squares.insert(square, j)?;
             // So far out that numbers have no digits left, a square may be larger than it should be.
-            self.overlap_of(discs, i, j).filter(|overlap| overlap.relative > 1.0)
+            Self::overlap_of(law, discs, i, j).filter(|overlap| overlap.relative > 1.0)
         })
     }
 
@@ -89,8 +91,8 @@ impl Scenario {
     }
 
     /// The speed at which an undamped spring would part the bodies, m/s.
-    fn parting_speed(&self, contact: &Contact) -> f64 {
-        contact.overlap * angular_frequency(self.stiffness, contact.reduced_mass)
+    fn parting_speed(law: &SpringDashpot, contact: &Contact) -> f64 {
+        contact.overlap * angular_frequency(law.linearised(contact).stiffness, contact.reduced_mass)
     }
 
     /// Discs whose places were said and whose overlap will throw them apart faster than anything else

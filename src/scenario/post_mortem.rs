@@ -6,7 +6,6 @@ use super::number::{Num, round_up};
 use super::suspects::IN_PLACE_OF_DT;
 use crate::analysis::guard::{Trouble, Wrong};
 use crate::output::failure::FailureReport;
-use crate::simulation::time_step;
 
 /// What is said behind a finer step that may help.
 const TO_SEE: &str = " to see whether a finer step helps";
@@ -18,6 +17,19 @@ pub fn flags(way_out: &str) -> &str {
 }
 
 impl Scenario {
+    /// What the guard of a run looks for: of walls only where there are some, of discs that cross only where they are
+    /// not known to be soft.
+    pub fn watched(&self) -> Vec<Wrong> {
+        let mut watched = Wrong::ALL.to_vec();
+        let (is_soft, walls) = (self.is_soft(), self.walls);
+        watched.retain(|wrong| match wrong {
+            Wrong::Crossed => !is_soft,
+            Wrong::BeyondWall => walls,
+            Wrong::NotFinite | Wrong::EnergyGrown => true,
+        });
+        watched
+    }
+
     /// What is to be said of `trouble` in a run of this scenario, `stopped` by it or not.
     pub fn post_mortem(&self, trouble: &Trouble, stopped: bool) -> FailureReport {
         let cause = self.cause_of(trouble);
@@ -28,7 +40,7 @@ impl Scenario {
         FailureReport {
             version: env!("CARGO_PKG_VERSION"),
             seed: self.seed,
-            kind: kind(trouble.wrong),
+            kind: trouble.wrong.name(),
             what: what(trouble),
             step: trouble.step,
             time_s: trouble.time,
@@ -68,7 +80,7 @@ impl Scenario {
 
     /// What to say where the diagnosis had nothing against the run: a finer step may help.
     fn without_cause(&self, trouble: &Trouble) -> (String, Vec<String>) {
-        let nt = time_step(self.mass_range().0, self.stiffness, 1.0) / self.dt();
+        let nt = self.steps_per_contact();
         let travel = trouble.speed * self.dt() / self.radius_range().0;
         let sentence = format!(
             "the diagnosis found nothing against this run beforehand (`parsim2d check`); the disc \
@@ -77,15 +89,6 @@ impl Scenario {
         );
         let finer = self.in_place_of_dt(format!("--nt {}", Num(round_up(4.0 * nt))));
         (sentence, vec![format!("{finer}{TO_SEE}")])
-    }
-}
-
-fn kind(wrong: Wrong) -> &'static str {
-    match wrong {
-        Wrong::NotFinite => "not-finite",
-        Wrong::Crossed => "crossed",
-        Wrong::BeyondWall => "beyond-wall",
-        Wrong::EnergyGrown => "energy-grown",
     }
 }
 

@@ -2,16 +2,16 @@
 
 use std::fmt::{self, Write};
 
-use super::settings::Settings;
+use super::key::Key;
+use super::keys::KEYS;
+use super::settings::{DtSetting, Settings};
 use super::{DampingChoice, DiscSource, DtSetBy, Scenario, StepChoice};
 use crate::particle::Particle;
 
 impl Scenario {
     /// The whole scenario as a file that reproduces the run, with units in comments.
     pub fn to_toml(&self) -> String {
-        let mut text = String::new();
-        self.write_toml(&mut text).expect("writing to a string does not fail");
-        text
+        self.printed(|_| true)
     }
 
     /// The same without what says only where and how fast the run wrote: the text of `last-run.toml`,
@@ -21,114 +21,98 @@ impl Scenario {
     /// not too many, so that the record holds without that file.
     pub fn record(&self, discs: &[Particle]) -> String {
         const MOST_LISTED: usize = 20_000;
-        let everything = match &self.discs {
+        let is_kept = |key: &Key| !key.is_of_machine;
+        match &self.discs {
             DiscSource::Frame { .. } if discs.len() <= MOST_LISTED => {
                 let listed = DiscSource::Listed(discs.to_vec(), Vec::new());
-                Self { discs: listed, speed: 0.0, ..self.clone() }.to_toml()
+                Self { discs: listed, speed: 0.0, ..self.clone() }.printed(is_kept)
             }
-            _ => self.to_toml(),
-        };
-        let elsewhere = [
-            "out_dir = ",
-            "slowdown = ",
-            "threads = ",
-            "checkpoint_every = ",
-            "json = ",
-            "quiet = ",
-        ];
-        let is_kept = |line: &&str| !elsewhere.iter().any(|key| line.starts_with(key));
-        // Keys of the top level come first; nothing of a disc begins with these.
-        everything.lines().filter(is_kept).map(|line| format!("{line}\n")).collect()
+            _ => self.printed(is_kept),
+        }
     }
 
-    fn write_toml(&self, out: &mut String) -> fmt::Result {
+    fn printed(&self, is_kept: impl Fn(&Key) -> bool) -> String {
+        let mut text = String::new();
+        let printed =
+            self.write_keys(&mut text, is_kept).and_then(|()| self.write_tables(&mut text));
+        printed.expect("writing to a string does not fail");
+        text
+    }
+
+    /// The keys section by section.
+    fn write_keys(&self, out: &mut String, is_kept: impl Fn(&Key) -> bool) -> fmt::Result {
         writeln!(out, "# parsim2d {}: every choice of this run", env!("CARGO_PKG_VERSION"))?;
-        writeln!(out, "preset = \"{}\"", self.preset.name())?;
-        if let DiscSource::Equal(n) = self.discs {
-            writeln!(out, "n = {n}")?;
-        }
-        writeln!(out, "seed = {}", self.seed)?;
-        self.write_physics(out)?;
-        self.write_time(out)?;
-        self.write_start(out)?;
-        self.write_output(out)?;
-        self.write_tables(out)
-    }
-
-    fn write_physics(&self, out: &mut String) -> fmt::Result {
-        writeln!(out, "\nside = {:?} # m", self.side)?;
-        if !matches!(self.discs, DiscSource::Frame { has_radii: true, .. }) {
-            writeln!(out, "radius = {:?} # m", self.radius)?;
-        }
-        if !matches!(self.discs, DiscSource::Frame { has_masses: true, .. }) {
-            writeln!(out, "mass = {:?} # kg", self.mass)?;
-        }
-        let way = if self.gravity.is_vertical() { "downward" } else { "y up" };
-        writeln!(out, "gravity = {} # m/s2, {way}", self.gravity)?;
-        writeln!(out, "kn = {:?} # N/m", self.stiffness)?;
-        match self.damping {
-            DampingChoice::Eta(eta) => writeln!(out, "eta = {eta:?} # kg/s")?,
-            DampingChoice::Gamma(gamma) => writeln!(out, "gamma = {gamma:?} # 1/s")?,
-            DampingChoice::Restitution(e) => writeln!(out, "restitution = {e:?}")?,
-        }
-        writeln!(out, "no_tension = {}", !self.tension)?;
-        writeln!(out, "walls = {}", self.walls)
-    }
-
-    fn write_time(&self, out: &mut String) -> fmt::Result {
-        writeln!(out)?;
-        match (self.step, self.dt_set_by) {
-            // Said by the preset, and left to it, so that the run knows who set its time step.
-            (StepChoice::Nt(nt), DtSetBy::Preset) => writeln!(out, "# nt = {nt:?}, by the preset")?,
-            (StepChoice::Nt(nt), _) => writeln!(out, "nt = {nt:?}")?,
-            (StepChoice::Seconds(dt), _) => writeln!(out, "dt = {dt:?} # s")?,
-            (StepChoice::Auto, _) => writeln!(out, "dt = \"auto\"")?,
-        }
-        writeln!(out, "# dt is {:?} s", self.dt())?;
-        writeln!(out, "time = {:?} # s", self.time)?;
-        writeln!(out, "integrator = \"{}\"", self.integrator.name())?;
-        writeln!(out, "allow_unstable = {}", self.allow_unstable)
-    }
-
-    fn write_start(&self, out: &mut String) -> fmt::Result {
-        writeln!(out)?;
-        match &self.discs {
-            DiscSource::Frame { said, columns, has_velocities, .. } => {
-                writeln!(out, "start = {}", quoted(said))?;
-                if let Some(columns) = columns {
-                    writeln!(out, "columns = {}", quoted(&columns.to_string()))?;
-                }
-                if *has_velocities {
-                    return Ok(());
-                }
+        let mut lines = Vec::new();
+        self.said().each(&mut |key, said| {
+            let said = said.filter(|_| is_kept(key));
+            let line = said.map(|said| format!("{} = {}", key.name, said.text(key.unit)));
+            let all = line.into_iter().chain(self.remark_behind(key));
+            lines.push((key, all.collect::<Vec<_>>()));
+        });
+        for section in KEYS.chunk_by(|a, b| a.section == b.section) {
+            let section = section[0].section;
+            if !section.is_empty() {
+                writeln!(out)?;
             }
-            DiscSource::Listed(_, groups) if groups.is_empty() => return Ok(()),
-            _ => writeln!(out, "placement = \"{}\"", self.placement.name())?,
+            for comes_first in [true, false] {
+                let is_next = |key: &Key| key.section == section && key.comes_first == comes_first;
+                let lines = lines.iter().filter(|(key, _)| is_next(key));
+                lines.flat_map(|(_, lines)| lines).try_for_each(|line| writeln!(out, "{line}"))?;
+            }
         }
-        writeln!(out, "speed = {:?} # m/s", self.speed)
+        Ok(())
     }
 
-    fn write_output(&self, out: &mut String) -> fmt::Result {
-        let output = &self.output;
-        writeln!(out, "\nout_dir = {}", quoted(&output.folder.to_string_lossy()))?;
-        if let Some(every) = output.every {
-            writeln!(out, "every = {every} # steps")?;
+    /// What is to be told at the place of `key`, and is no key.
+    fn remark_behind(&self, key: &Key) -> Option<String> {
+        match (key.name, self.step, self.dt_set_by) {
+            // Said by the preset, and left to it, so that the run knows who set its time step.
+            ("nt", StepChoice::Nt(nt), DtSetBy::Preset) => {
+                Some(format!("# nt = {nt:?}, by the preset"))
+            }
+            ("dt", ..) => Some(format!("# dt is {:?} s", self.dt())),
+            _ => None,
         }
-        if let Some(every) = output.energy_every {
-            writeln!(out, "energy_every = {every} # steps")?;
+    }
+
+    /// What has to be said for this scenario; its single discs and groups aside.
+    fn said(&self) -> Settings {
+        let mut said = Settings { no_tension: Some(!self.tension), ..Settings::default() };
+        self.say(&mut said);
+        self.output.say(&mut said);
+        match self.damping {
+            DampingChoice::Eta(eta) => said.eta = Some(eta.into()),
+            DampingChoice::Gamma(gamma) => said.gamma = Some(gamma.into()),
+            DampingChoice::Restitution(e) => said.restitution = Some(e.into()),
         }
-        if let Some(slowdown) = output.slowdown {
-            writeln!(out, "slowdown = {slowdown:?}")?;
+        match self.step {
+            StepChoice::Nt(_) if self.dt_set_by == DtSetBy::Preset => {}
+            StepChoice::Nt(nt) => said.nt = Some(nt.into()),
+            StepChoice::Seconds(dt) => said.dt = Some(DtSetting::Seconds(dt)),
+            StepChoice::Auto => said.dt = Some(DtSetting::Auto),
         }
-        if let Some(threads) = output.threads {
-            writeln!(out, "threads = {threads}")?;
+        match &self.discs {
+            DiscSource::Equal(n) => said.n = Some(*n as i64),
+            DiscSource::Listed(_, groups) if groups.is_empty() => {
+                (said.placement, said.speed) = (None, None);
+            }
+            DiscSource::Listed(..) => {}
+            DiscSource::Frame {
+                said: file,
+                columns,
+                has_velocities,
+                has_masses,
+                has_radii,
+                ..
+            } => {
+                (said.start, said.columns) = (Some(file.clone()), columns.clone());
+                said.placement = None;
+                said.speed = said.speed.filter(|_| !has_velocities);
+                said.mass = said.mass.filter(|_| !has_masses);
+                said.radius = said.radius.filter(|_| !has_radii);
+            }
         }
-        if let Some(every) = output.checkpoint_every {
-            writeln!(out, "checkpoint_every = {every:?} # s of wall time")?;
-        }
-        writeln!(out, "border = {}", output.border)?;
-        writeln!(out, "json = {}", output.json)?;
-        writeln!(out, "quiet = {}", output.quiet)
+        said
     }
 
     fn write_tables(&self, out: &mut String) -> fmt::Result {
@@ -172,12 +156,4 @@ impl Settings {
             && self.integrator.is_some()
             && self.allow_unstable.is_some()
     }
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains(char::is_control) {
-        // On one line, whatever is in it; JSON's escapes are TOML's too.
-        return serde_json::Value::from(text).to_string();
-    }
-    toml::Value::String(text.to_owned()).to_string()
 }

@@ -1,64 +1,90 @@
-//! The checks that numbers pass at the entrance: the value, or an error with the allowed range and
-//! a way out.
+//! The ranges of numbers, checked at the entrance: the value, or an error with the allowed range and a way out.
 
 use super::error::ScenarioError;
 use super::number::Num;
 
-/// `value` if it is in `range`.
-pub(super) fn whole(
-    field: &str,
-    value: i64,
-    range: std::ops::RangeInclusive<i64>,
-    way_out: &str,
-) -> Result<u64, ScenarioError> {
-    if range.contains(&value) {
-        return Ok(value as u64);
-    }
-    let allowed = match *range.end() {
-        i64::MAX => format!("must be a whole number, at least {}", range.start()),
-        end => format!("must be a whole number from {} to {end}", range.start()),
-    };
-    Err(ScenarioError::out_of_range(field, value, allowed, way_out))
+/// The finite numbers from `least` to `most`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The lower end.
+    pub least: f64,
+    /// The upper end, which belongs to it unless it is infinite.
+    pub most: f64,
+    /// Whether the lower end does not belong to it.
+    pub is_open: bool,
+    /// How it is said, where that is more than its ends.
+    pub words: &'static str,
 }
 
-pub(super) fn positive(field: &str, value: f64, way_out: &str) -> Result<f64, ScenarioError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(value);
-    }
-    Err(ScenarioError::out_of_range(field, Num(value), "must be a finite number above 0", way_out))
+/// Any finite number.
+pub const ANY: Range = from_to(f64::NEG_INFINITY, f64::INFINITY);
+/// What is above zero.
+pub const ABOVE_0: Range = above_to(0.0, f64::INFINITY);
+/// What is not below zero.
+pub const FROM_0: Range = from_to(0.0, f64::INFINITY);
+/// What is not below one.
+pub const FROM_1: Range = from_to(1.0, f64::INFINITY);
+
+/// From `least` to `most`, both included.
+pub const fn from_to(least: f64, most: f64) -> Range {
+    Range { least, most, is_open: false, words: "" }
 }
 
-/// `value` if it is in `range`.
-pub(super) fn within(
-    field: &str,
-    value: f64,
-    range: std::ops::RangeInclusive<f64>,
-    way_out: &str,
-) -> Result<f64, ScenarioError> {
-    if range.contains(&value) {
-        return Ok(value);
-    }
-    let allowed = format!("must be from {} to {}", Num(*range.start()), Num(*range.end()));
-    Err(ScenarioError::out_of_range(field, Num(value), allowed, way_out))
+/// Above `least`, and up to `most`.
+pub const fn above_to(least: f64, most: f64) -> Range {
+    Range { least, most, is_open: true, words: "" }
 }
 
-pub(super) fn not_negative(field: &str, value: f64, way_out: &str) -> Result<f64, ScenarioError> {
-    if value >= 0.0 && value.is_finite() {
-        return Ok(value);
+impl Range {
+    fn has(self, value: f64) -> bool {
+        let is_high = if self.is_open { value > self.least } else { value >= self.least };
+        is_high && value <= self.most && value.is_finite()
     }
-    Err(ScenarioError::out_of_range(
-        field,
-        Num(value),
-        "must be a finite number, 0 or more",
-        way_out,
-    ))
-}
 
-pub(super) fn finite(field: &str, value: f64) -> Result<f64, ScenarioError> {
-    if value.is_finite() {
-        return Ok(value);
+    /// `value` of the `field` if it is in this range.
+    pub(super) fn check(
+        self,
+        field: &str,
+        value: f64,
+        way_out: &str,
+    ) -> Result<f64, ScenarioError> {
+        if self.has(value) {
+            return Ok(value);
+        }
+        Err(ScenarioError::out_of_range(field, Num(value), self.allowed(), way_out))
     }
-    Err(ScenarioError::out_of_range(field, Num(value), "must be a finite number", "write a number"))
+
+    /// The whole number `value` of the `field` if it is in this range.
+    pub(super) fn check_whole(
+        self,
+        field: &str,
+        value: i64,
+        way_out: &str,
+    ) -> Result<u64, ScenarioError> {
+        if self.has(value as f64) {
+            return Ok(value as u64);
+        }
+        let allowed = match self {
+            Self { least, most: f64::INFINITY, .. } => {
+                format!("must be a whole number, at least {least}")
+            }
+            Self { least, most, .. } => format!("must be a whole number from {least} to {most}"),
+        };
+        Err(ScenarioError::out_of_range(field, value, allowed, way_out))
+    }
+
+    /// What must be, in words.
+    fn allowed(self) -> String {
+        let (least, most) = (Num(self.least), Num(self.most));
+        match (self.is_open, self.most) {
+            _ if !self.words.is_empty() => self.words.to_owned(),
+            _ if self == ANY => "must be a finite number".to_owned(),
+            (true, f64::INFINITY) => format!("must be a finite number above {least}"),
+            (false, f64::INFINITY) => format!("must be a finite number, {least} or more"),
+            (true, _) => format!("must be above {least} and at most {most}"),
+            (false, _) => format!("must be from {least} to {most}"),
+        }
+    }
 }
 
 /// The radius of a disc in a box of `side` (m): positive, and less than half the side where there

@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use super::error::ScenarioError;
 use super::number::Num;
-use super::range::positive;
+use super::quantity::{Length, Quantity};
+use super::range::ABOVE_0;
 use super::settings::Settings;
 use super::{DiscSource, Scenario};
 use crate::output::frames::layout::Layout;
@@ -43,8 +44,8 @@ pub(super) fn read(
         let hint = if path.contains(':') { "; in FILE:K, K is a whole number from 0" } else { "" };
         bad_start(format!("{why}{hint}"))
     })?;
-    let radius =
-        settings.radius.map(|_| positive("radius", scenario.radius, "--radius 1mm")).transpose()?;
+    let above_0 = |said: Quantity<Length>| ABOVE_0.check("radius", said.si, "--radius 1mm");
+    let radius = settings.radius.map(above_0).transpose()?;
     let reading = Reading { columns: settings.columns.clone(), format: None, radius };
     let (frame, Told { remarks, names_columns }) =
         read_frame_as(BufReader::new(file), &reading, frame).map_err(bad_start)?;

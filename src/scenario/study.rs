@@ -14,7 +14,7 @@ use glam::DVec2;
 
 use super::error::ScenarioError;
 use super::gravity::Gravity;
-use super::quantity::{Length, Mass, Quantity, Stiffness, Time};
+use super::quantity::Quantity;
 use super::settings::{IntegratorName, Settings};
 use super::{DampingChoice, DiscSource, Scenario, StepChoice};
 use crate::analysis::collision::angular_frequency;
@@ -41,27 +41,6 @@ const TIMES: [f64; 2] = [0.5, 0.2];
 
 /// Simulated time of the twins, s: enough for twenty discs to part.
 const TWIN_TIME: f64 = 2.0;
-
-/// What may be chosen; what is `None` is as in the guide.
-#[derive(Clone, Debug, Default)]
-pub struct StudySettings {
-    /// Discs of the dense box (1000).
-    pub n: Option<i64>,
-    /// Seed of the discs' places (1): fixed, so that two students compare.
-    pub seed: Option<i64>,
-    /// Radius (1e-4 m, and 5e-4 m in the dense box).
-    pub radius: Option<Quantity<Length>>,
-    /// Mass (1e-3 kg).
-    pub mass: Option<Quantity<Mass>>,
-    /// Stiffness (5e4 N/m).
-    pub kn: Option<Quantity<Stiffness>>,
-    /// Simulated time of both boxes (0.5 s, and 0.2 s for the dense one).
-    pub time: Option<Quantity<Time>>,
-    /// Restitution of the damped boxes (0.9).
-    pub restitution: Option<f64>,
-    /// N_t of Eq. (2), ascending (10, 20, 50, 100).
-    pub nt: Vec<f64>,
-}
 
 /// What is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -141,22 +120,22 @@ pub struct Study {
 }
 
 impl Study {
-    /// Checks the choices and places the discs.
-    pub fn new(said: &StudySettings) -> Result<Self, ScenarioError> {
-        let nt = checked_nt(&said.nt)?;
+    /// Checks what was `said` and these N_t of Eq. (2), and places the discs. What is not said is as in the guide, with
+    /// a seed of 1, so that two students compare, and N_t of 10, 20, 50 and 100; n is that of the dense box.
+    pub fn new(said: &Settings, nt: &[f64]) -> Result<Self, ScenarioError> {
+        let nt = checked_nt(nt)?;
+        let restitution = said.restitution.map_or(0.9, |e| e.si);
         let dense = [(20, None), (said.n.unwrap_or(1000), Some(DENSE_RADIUS))];
         let mut boxes = Vec::new();
         for ((n, radius), time) in dense.into_iter().zip(TIMES) {
             let settings = Settings {
                 n: Some(n),
-                seed: Some(said.seed.unwrap_or(1)),
+                seed: said.seed.or(Some(1)),
                 radius: said.radius.or(radius.map(Quantity::from)),
-                mass: said.mass,
-                kn: said.kn,
                 time: said.time.or(Some(time.into())),
-                restitution: Some(said.restitution.unwrap_or(0.9).into()),
+                restitution: Some(restitution.into()),
                 nt: Some(nt[0].into()), // the coarsest: if it is stable, all are
-                ..Settings::default()
+                ..said.clone()
             };
             let mut scenario = Scenario::resolve(&settings, || 1).map_err(too_coarse(nt[0]))?;
             // Placed once; every run starts from the same discs.
@@ -165,7 +144,7 @@ impl Study {
             boxes.push(scenario);
         }
         let boxes = boxes.try_into().expect("two boxes");
-        Ok(Self { boxes, restitution: said.restitution.unwrap_or(0.9), nt })
+        Ok(Self { boxes, restitution, nt })
     }
 
     /// N_t, ascending.
@@ -237,7 +216,7 @@ impl Study {
         let shorter = if case == Case::Wall { 1.0 } else { SQRT_2 };
         let nt = shorter * ((nt / shorter).floor() + 0.5);
         let scenarios = (0..PHASES).map(|phase| {
-            let Scenario { radius, mass, stiffness, .. } = self.boxes[0];
+            let Scenario { radius, mass, .. } = self.boxes[0];
             let side = 100.0 * radius;
             let mut scenario = Scenario {
                 side,
@@ -249,6 +228,7 @@ impl Study {
                 ..self.boxes[0].clone()
             };
             let reduced_mass = if case == Case::Wall { mass } else { 0.5 * mass };
+            let stiffness = self.boxes[0].linear(reduced_mass).stiffness;
             let speed = DEPTH * radius * angular_frequency(stiffness, reduced_mass);
             let gap = f64::from(phase) / f64::from(PHASES) * speed * scenario.dt();
             let disc = |x: f64, y: f64, velocity: DVec2| {
@@ -325,24 +305,21 @@ pub fn nearest(values: &[f64], wanted: f64) -> f64 {
 
 /// A box whose run is to be compared with that of its twins: the guide's 20 discs, elastic,
 /// N_t = 50, if nothing else is said.
-pub fn twin_box(said: &StudySettings) -> Result<Scenario, ScenarioError> {
-    let settings = Settings {
-        n: Some(said.n.unwrap_or(20)),
-        seed: Some(said.seed.unwrap_or(1)),
-        radius: said.radius,
-        mass: said.mass,
-        kn: said.kn,
-        time: said.time.or(Some(TWIN_TIME.into())),
-        restitution: Some(said.restitution.unwrap_or(1.0).into()),
-        nt: said.nt.first().map(|&nt| nt.into()),
-        ..Settings::default()
-    };
-    if said.nt.len() > 1 {
-        let value = format!("{:?}", said.nt);
+pub fn twin_box(said: &Settings, nt: &[f64]) -> Result<Scenario, ScenarioError> {
+    if nt.len() > 1 {
+        let value = format!("{nt:?}");
         return Err(ScenarioError::out_of_range("nt", value, "--twin runs one", "--nt 50"));
     }
-    let nt = said.nt.first().copied().unwrap_or(50.0);
-    Scenario::resolve(&settings, || 1).map_err(too_coarse(nt))
+    let nt = nt.first().copied();
+    let settings = Settings {
+        n: said.n.or(Some(20)),
+        seed: said.seed.or(Some(1)),
+        time: said.time.or(Some(TWIN_TIME.into())),
+        restitution: said.restitution.or(Some(1.0.into())),
+        nt: nt.map(Quantity::from),
+        ..said.clone()
+    };
+    Scenario::resolve(&settings, || 1).map_err(too_coarse(nt.unwrap_or(50.0)))
 }
 
 /// The refusal of an unstable step in the study's own words: it has fewer flags than a run.

@@ -3,15 +3,15 @@
 
 #[cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub mod handed_in;
+pub mod imports;
 pub mod plotting;
 pub mod runs;
 pub mod scripts;
 pub mod student;
 
 use glam::DVec2;
-use parsim2d::force::{Contacts, Force, HalfPlane, Walls};
+use parsim2d::force::HalfPlane;
 use parsim2d::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
-use parsim2d::neighbours::Neighbours;
 use parsim2d::particle::{Damping, Particle, SpringDashpot};
 use parsim2d::simulation::Simulation;
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
@@ -43,14 +43,6 @@ pub fn law(damping: Damping) -> SpringDashpot {
 }
 
 pub const ELASTIC: Damping = Damping::Coefficient(0.0);
-
-pub fn contacts(law: SpringDashpot) -> Box<dyn Force> {
-    Box::new(Contacts { law, neighbours: Neighbours::default() })
-}
-
-pub fn walls(law: SpringDashpot, planes: &[HalfPlane]) -> Box<dyn Force> {
-    Box::new(Walls { law, planes: planes.to_vec() })
-}
 
 /// The floor y = 0.
 pub fn floor() -> HalfPlane {
@@ -94,10 +86,10 @@ impl Meeting {
         speed: f64,
         dt: f64,
     ) -> Simulation {
-        let (forces, discs) = match self {
+        let (walls, discs) = match self {
             Self::Wall => {
                 let disc = disc_at(DVec2::new(0.0, RADIUS + gap), DVec2::new(0.0, -speed));
-                (vec![walls(law, &[floor()])], vec![disc])
+                (vec![floor()], vec![disc])
             }
             _ => {
                 let mut other = disc_at(DVec2::ZERO, DVec2::ZERO);
@@ -106,10 +98,10 @@ impl Meeting {
                 }
                 let apart = RADIUS + other.radius + gap;
                 other.position.x = apart;
-                (vec![contacts(law)], vec![disc_at(DVec2::ZERO, DVec2::new(speed, 0.0)), other])
+                (Vec::new(), vec![disc_at(DVec2::ZERO, DVec2::new(speed, 0.0)), other])
             }
         };
-        Simulation::new(discs, DVec2::ZERO, forces, new_integrator(), dt)
+        Simulation::new(discs, DVec2::ZERO, law, &walls, new_integrator(), dt)
     }
 
     /// Speed at which the bodies approach, m/s.

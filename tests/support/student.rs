@@ -3,10 +3,10 @@
 
 use std::fmt::Write as _;
 
-use parsim2d::grade::check::Check;
-use parsim2d::grade::mistake::Mistake;
-use parsim2d::grade::rubric::Rubric;
-use parsim2d::grade::verdict::Report;
+use parsim2d::grading::judge::check::Check;
+use parsim2d::grading::judge::mistake::Mistake;
+use parsim2d::grading::judge::rubric::Rubric;
+use parsim2d::grading::judge::verdict::Report;
 
 /// A bug of the little program below.
 #[derive(Clone, Copy, Debug, PartialEq)]

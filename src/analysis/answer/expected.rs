@@ -2,9 +2,10 @@
 
 use glam::DVec2;
 
-use super::Question;
+use super::question::Question;
 use crate::analysis::bounce::{Bounce, Touch};
 use crate::analysis::collision::ContactEnd;
+use crate::analysis::linear::{Linear, linear};
 use crate::particle::Particle;
 
 /// Heights after a bounce, at most.
@@ -64,9 +65,10 @@ impl Question {
 
     /// The contact that `speed`, `push` and `reduced_mass` describe.
     fn touch(&self, reduced_mass: f64, speed: f64, push: f64) -> Touch {
+        let Linear { stiffness, damping } = linear(&self.law, self.smaller_radius(), reduced_mass);
         Touch {
-            stiffness: self.law.stiffness,
-            eta: self.law.damping.coefficient(self.law.stiffness, reduced_mass),
+            stiffness,
+            eta: damping,
             reduced_mass,
             speed,
             push,

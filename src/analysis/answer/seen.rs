@@ -3,8 +3,8 @@
 
 use glam::DVec2;
 
-use super::Question;
 use super::expected::Expected;
+use super::question::Question;
 use crate::analysis::bounce::Touch;
 use crate::analysis::collision::ContactEnd;
 use crate::simulation::Simulation;

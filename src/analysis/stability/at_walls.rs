@@ -9,6 +9,7 @@
 //! Only what can occur counts: a disc at a wall and the other straight on it; two unequal discs on one
 //! floor, one of them in the corner; and, in a box too narrow for two abreast, discs from wall to wall.
 
+use crate::analysis::linear::{Linear, linear};
 use crate::particle::SpringDashpot;
 
 /// Two discs in a square box.
@@ -40,7 +41,9 @@ impl TwoAtWalls {
         let is_stable = |dt: f64| ways.iter().all(|&held| self.is_stable(law, held, dt));
         // One disc of the lighter mass alone is stable up to here, if it is not damped.
         let [a, b] = self.masses;
-        let (mut low, mut high) = (0.0, 2.0 * (a.min(b) / law.stiffness).sqrt());
+        let lighter = a.min(b);
+        let (mut low, mut high) =
+            (0.0, 2.0 * (lighter / self.linear(law, lighter).stiffness).sqrt());
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
             if middle == low || middle == high {
@@ -49,6 +52,11 @@ impl TwoAtWalls {
             if is_stable(middle) { low = middle } else { high = middle }
         }
         low
+    }
+
+    fn linear(&self, law: &SpringDashpot, reduced_mass: f64) -> Linear {
+        let [r, s] = self.radii;
+        linear(law, r.min(s), reduced_mass)
     }
 
     /// p² of both discs, for every way in which walls can hold them.
@@ -88,7 +96,8 @@ impl TwoAtWalls {
     fn is_stable(&self, law: &SpringDashpot, held: [f64; 2], dt: f64) -> bool {
         let [a, b] = self.masses;
         let weight = |mass: f64| {
-            law.stiffness * dt * dt + 2.0 * dt * law.damping.coefficient(law.stiffness, mass)
+            let Linear { stiffness, damping } = self.linear(law, mass);
+            stiffness * dt * dt + 2.0 * dt * damping
         };
         let between = weight(a * b / (a + b));
         let mut left = 4.0 - between * (1.0 / a + 1.0 / b);

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::super::memory;
-use super::super::watch::progress_bar;
+use super::super::terminal::progress_bar;
 use super::{DriftArguments, words};
 use crate::analysis::twin::{Growth, SEPARATE, distances, separation_time};
 use crate::cli::Failure;
@@ -105,7 +105,7 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &DriftArguments) -> Result<ExitCode, Failure> {
-    let scenario = twin_box(&arguments.settings())?;
+    let scenario = twin_box(&arguments.settings(), &arguments.nt())?;
     memory::check(&scenario)?;
     let path = arguments.out_dir.join("twin.csv");
     files::probe(&arguments.out_dir, &["twin.csv"])?;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use crate::sheet::{Entry, Graded, Ungraded};
+use crate::grading::feedback::{Entry, Graded, Ungraded};
 
 /// Grades all `submissions`, `jobs` at a time. Tells `ended` of each as it ends, under its number; gives
 /// all of them in their order. Whoever cannot be graded, or makes `grade_one` panic, is an entry as well.
@@ -66,7 +66,7 @@ fn said(panic: &(dyn Any + Send)) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::rubric::Rubric;
+    use crate::grading::judge::rubric::Rubric;
 
     #[test]
     fn bad_ones_stop_nobody_and_the_order_is_the_given_one_with_any_number_of_threads() {
@@ -80,7 +80,7 @@ mod tests {
             };
             let ended = |k, entry: &Entry| told.lock().unwrap().push((k, entry.is_ok()));
             let entries = grade_all(names.map(PathBuf::from), jobs, grade_one, ended);
-            let order: Vec<&str> = entries.iter().map(crate::sheet::name_of).collect();
+            let order: Vec<&str> = entries.iter().map(crate::grading::feedback::name_of).collect();
             assert_eq!(order, names);
             let why = |k: usize| entries[k].as_ref().unwrap_err().why.as_str();
             assert_eq!(why(1), "cannot be read");

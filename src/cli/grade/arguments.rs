@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::sheet::folder::Format;
+use crate::grading::feedback::folder::Format;
 
 #[derive(Args)]
 pub(in crate::cli) struct GradeArguments {

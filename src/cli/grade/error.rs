@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use crate::echo;
-use crate::grade::check::Check;
-use crate::grade::mistake::Mistake;
-use crate::proof::DESCRIPTION;
-use crate::sheet::plain::one_line;
+use crate::grading::feedback::plain::one_line;
+use crate::grading::judge::check::Check;
+use crate::grading::judge::mistake::Mistake;
+use crate::grading::validation::DESCRIPTION;
 
 /// Why nothing was graded: bad usage, every time.
 #[derive(Debug, thiserror::Error)]
@@ -36,9 +36,9 @@ pub(in crate::cli) enum GradeError {
     )]
     Undescribed { path: PathBuf },
     #[error(transparent)]
-    Closed(crate::workshop::Closed),
+    SandboxError(crate::grading::sandbox::SandboxError),
     #[error(transparent)]
-    Proof(crate::proof::ProofError),
+    Proof(crate::grading::validation::ValidationError),
     #[error(
         "{count} formats do not fit in one stream\n  way out: --out-dir FOLDER, or one --format"
     )]
@@ -99,7 +99,7 @@ impl GradeError {
     /// 3 where the machine is at fault, 2 for bad usage.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Closed(_) | Self::NoTool { .. } | Self::Unwritten(_) => 3,
+            Self::SandboxError(_) | Self::NoTool { .. } | Self::Unwritten(_) => 3,
             _ => 2,
         }
     }

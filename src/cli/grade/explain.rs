@@ -4,12 +4,12 @@ use std::io::Write;
 
 use super::error::GradeError;
 use crate::cli::Failure;
-use crate::grade::check::Check;
-use crate::grade::mistake::Mistake;
-use crate::grade::rubric::Rubric;
-use crate::grade::words::ENGLISH;
-use crate::sheet::number::points;
-use crate::sheet::plain::one_line;
+use crate::grading::feedback::number::points;
+use crate::grading::feedback::plain::one_line;
+use crate::grading::judge::check::Check;
+use crate::grading::judge::mistake::Mistake;
+use crate::grading::judge::rubric::Rubric;
+use crate::grading::judge::words::ENGLISH;
 
 pub(super) fn explain(out: &mut impl Write, id: &str, rubric: &Rubric) -> Result<(), Failure> {
     match (Check::named(id), Mistake::named(id)) {

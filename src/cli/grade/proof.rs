@@ -13,16 +13,16 @@ use super::error::GradeError;
 use super::sheets::Sheets;
 use super::{exit_code, submissions};
 use crate::cli::Failure;
-use crate::grade::rubric::program::Program;
-use crate::grade::rubric::{Law, Rubric};
-use crate::marking::Marker;
-use crate::marking::program::Course;
-use crate::proof::described::Described;
-use crate::proof::laid_out::lay_out;
-use crate::proof::outcome::{Outcome, matrix};
-use crate::proof::{ProofError, folders_at};
-use crate::sheet::Graded;
-use crate::workshop::Workshop;
+use crate::grading::feedback::Graded;
+use crate::grading::judge::rubric::program::Program;
+use crate::grading::judge::rubric::{Law, Rubric};
+use crate::grading::pipeline::Grader;
+use crate::grading::pipeline::program::Course;
+use crate::grading::sandbox::Sandbox;
+use crate::grading::validation::comparison::{Comparison, matrix};
+use crate::grading::validation::described::Described;
+use crate::grading::validation::laid_out::lay_out;
+use crate::grading::validation::{ValidationError, folders_at};
 
 pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     let mut folders = Vec::new();
@@ -40,40 +40,41 @@ pub(super) fn run(arguments: &GradeArguments) -> Result<ExitCode, Failure> {
     let read = |folder: &PathBuf| Described::read(folder);
     let described: Vec<Described> =
         folders.iter().map(read).collect::<Result<_, _>>().map_err(GradeError::Proof)?;
-    let workshop = submissions::open(arguments)?;
-    let place = workshop.private_folder().map_err(GradeError::Closed)?;
+    let sandbox = submissions::open(arguments)?;
+    let place = sandbox.private_folder().map_err(GradeError::SandboxError)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
     let sheets = Sheets::open(&arguments.sheets, &names, &arguments.inputs())?;
-    let outcomes: Mutex<BTreeMap<usize, Outcome>> = Mutex::default();
+    let comparisons: Mutex<BTreeMap<usize, Comparison>> = Mutex::default();
     let seed = arguments.seed.unwrap_or(Program::default().seed);
     let entries = grade_all(
         folders,
         arguments.jobs(),
         |k, _| {
-            let graded = grade_one(&described[k], k, &place.path(), &workshop, seed)?;
-            let outcome = Outcome::of(&described[k], &graded.report);
-            outcomes.lock().map_err(|why| why.to_string())?.insert(k, outcome);
+            let graded = grade_one(&described[k], k, &place.path(), &sandbox, seed)?;
+            let comparison = Comparison::of(&described[k], &graded.report);
+            comparisons.lock().map_err(|why| why.to_string())?.insert(k, comparison);
             Ok(graded)
         },
         |k, entry| sheets.add(k, entry),
     );
     sheets.finish(&entries, true)?;
-    let outcomes: Vec<Outcome> = outcomes.into_inner().unwrap_or_default().into_values().collect();
-    let is_as_expected = write_outcomes(&mut io::stdout().lock(), &outcomes)?;
+    let comparisons: Vec<Comparison> =
+        comparisons.into_inner().unwrap_or_default().into_values().collect();
+    let is_as_expected = write_comparisons(&mut io::stdout().lock(), &comparisons)?;
     let code = exit_code(&entries, arguments.fail_under);
     Ok(ExitCode::from(code.max(u8::from(!is_as_expected))))
 }
 
 /// Writes what is not as expected, and the matrix; says whether all is.
-fn write_outcomes(out: &mut impl Write, outcomes: &[Outcome]) -> io::Result<bool> {
+fn write_comparisons(out: &mut impl Write, comparisons: &[Comparison]) -> io::Result<bool> {
     let mut is_as_expected = true;
-    for outcome in outcomes {
-        for surprise in outcome.surprises() {
+    for comparison in comparisons {
+        for surprise in comparison.surprises() {
             is_as_expected = false;
-            writeln!(out, "not as expected: {}/{}: {surprise}", outcome.group, outcome.name)?;
+            writeln!(out, "not as expected: {}/{}: {surprise}", comparison.group, comparison.name)?;
         }
     }
-    writeln!(out, "\n{}", matrix(outcomes))?;
+    writeln!(out, "\n{}", matrix(comparisons))?;
     Ok(is_as_expected)
 }
 
@@ -81,18 +82,18 @@ fn grade_one(
     described: &Described,
     k: usize,
     place: &Path,
-    workshop: &Workshop,
+    sandbox: &Sandbox,
     seed: u64,
 ) -> Result<Graded, String> {
-    let said = |why: ProofError| why.to_string();
+    let said = |why: ValidationError| why.to_string();
     let own = place.join(k.to_string());
     fs::create_dir(&own).map_err(|why| format!("{}: {why}", own.display()))?;
     let folder = lay_out(described, &own).map_err(said)?;
     let mut rubric = rubric_of(described);
     rubric.program.seed = seed;
     let course = Course::of(rubric)?;
-    let marker = Marker { workshop, course: &course };
-    let mut graded = marker.mark(&folder, |_| ()).map_err(|why| why.to_string())?;
+    let grader = Grader { sandbox, course: &course };
+    let mut graded = grader.grade(&folder, |_| ()).map_err(|why| why.to_string())?;
     graded.name = format!("{}/{}", group(&described.path), described.name());
     // Where it was laid out means nothing afterwards.
     graded.folder = described.path.display().to_string();

@@ -9,16 +9,16 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::arguments::SheetArguments;
 use super::error::GradeError;
 use crate::cli::Failure;
+use crate::grading::feedback::classroom50::{Classroom, utc};
+use crate::grading::feedback::folder::{Around, Folder, Format, write_whole};
+use crate::grading::feedback::json::json_of_student;
+use crate::grading::feedback::number::percent;
+use crate::grading::feedback::plain::{file_names, one_line, short_names};
+use crate::grading::feedback::text::{causes, text_of_class, text_of_student};
+use crate::grading::feedback::words::ENGLISH;
+use crate::grading::feedback::{Entry, Graded, name_of};
 use crate::output::OutputError;
 use crate::output::place::is_same;
-use crate::sheet::classroom50::{Classroom, utc};
-use crate::sheet::folder::{Around, Folder, Format, write_whole};
-use crate::sheet::json::json_of_student;
-use crate::sheet::number::percent;
-use crate::sheet::plain::{file_names, one_line, short_names};
-use crate::sheet::text::{causes, text_of_class, text_of_student};
-use crate::sheet::words::ENGLISH;
-use crate::sheet::{Entry, Graded, name_of};
 
 /// Where results go.
 pub(super) struct Sheets {

@@ -1,4 +1,4 @@
-//! Folders handed in: built and run in the workshop, marked, and written down as each check ends.
+//! Folders handed in: built and run in the sandbox, graded, and written down as each check ends.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -11,10 +11,10 @@ use super::sheets::Sheets;
 use crate::cli::Failure;
 use crate::cli::signals::heed;
 use crate::echo;
-use crate::grade::rubric::Rubric;
-use crate::marking::Marker;
-use crate::marking::program::Course;
-use crate::workshop::{Choice, Workshop, remove_private_folders};
+use crate::grading::judge::rubric::Rubric;
+use crate::grading::pipeline::Grader;
+use crate::grading::pipeline::program::Course;
+use crate::grading::sandbox::{Options, Sandbox, remove_private_folders};
 
 pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<ExitCode, Failure> {
     rubric.program.seed = arguments.seed.unwrap_or(rubric.program.seed);
@@ -44,16 +44,16 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
             echo::path(class)
         );
     }
-    let workshop = open(arguments)?;
-    needs_tools(&workshop, &course)?;
+    let sandbox = open(arguments)?;
+    needs_tools(&sandbox, &course)?;
     let names: Vec<String> = folders.iter().map(|path| path.display().to_string()).collect();
     let sheets = Sheets::open(&arguments.sheets, &names, &arguments.inputs())?;
-    let marker = Marker { workshop: &workshop, course: &course };
+    let grader = Grader { sandbox: &sandbox, course: &course };
     let entries = grade_all(
         folders,
         arguments.jobs(),
         |k, folder| {
-            marker.mark(folder, |graded| sheets.keep(k, graded)).map_err(|why| why.to_string())
+            grader.grade(folder, |graded| sheets.keep(k, graded)).map_err(|why| why.to_string())
         },
         |k, entry| sheets.add(k, entry),
     );
@@ -62,11 +62,11 @@ pub(super) fn run(arguments: &GradeArguments, mut rubric: Rubric) -> Result<Exit
 }
 
 /// What the machine lacks is no mistake of a student's.
-fn needs_tools(workshop: &Workshop, course: &Course) -> Result<(), GradeError> {
-    let Some(program) = course.tools().find(|program| !workshop.finds(program)) else {
+fn needs_tools(sandbox: &Sandbox, course: &Course) -> Result<(), GradeError> {
+    let Some(program) = course.tools().find(|program| !sandbox.finds(program)) else {
         return Ok(());
     };
-    let path: Vec<String> = workshop.path().iter().map(|path| path.display().to_string()).collect();
+    let path: Vec<String> = sandbox.path().iter().map(|path| path.display().to_string()).collect();
     Err(GradeError::NoTool { program: program.clone(), path: path.join(", ") })
 }
 
@@ -82,21 +82,21 @@ fn is_class(folder: &Path) -> bool {
     kinds.len() > 1 && kinds.iter().all(std::fs::FileType::is_dir)
 }
 
-/// The workshop, with a word on what it is.
-pub(super) fn open(arguments: &GradeArguments) -> Result<Workshop, GradeError> {
+/// The sandbox, with a word on what it is.
+pub(super) fn open(arguments: &GradeArguments) -> Result<Sandbox, GradeError> {
     let (allow_unsandboxed, readable) = (arguments.allow_unsandboxed, arguments.tools.clone());
-    let choice = Choice { allow_unsandboxed, readable, ..Choice::default() };
-    let workshop = Workshop::open(&choice).map_err(GradeError::Closed)?;
+    let options = Options { allow_unsandboxed, readable, ..Options::default() };
+    let sandbox = Sandbox::open(&options).map_err(GradeError::SandboxError)?;
     // Unheeded, a signal would leave copies of submissions behind.
     heed(|| {
         eprintln!("interrupted; sheets of what was graded are where they were to be written");
         remove_private_folders();
         std::process::exit(130);
     });
-    let tier = workshop.tier();
+    let tier = sandbox.tier();
     eprintln!("sandbox: tier {tier} ({})", tier.words());
-    for refused in workshop.refused() {
+    for refused in sandbox.refused() {
         eprintln!("  not tier {}: {}", refused.tier, refused.why);
     }
-    Ok(workshop)
+    Ok(sandbox)
 }

@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use super::{Key, Keys};
+use super::key::{Key, Keys, distinct, position};
 use crate::figure::axis::Axis;
 use crate::figure::chart::{Chart, Mark, Series};
 use crate::figure::colour::{self, hex};
@@ -44,7 +44,7 @@ pub struct Runs {
 impl Runs {
     /// The runs of every case, in the order in which they first come.
     pub fn of_cases(curves: &[CurveRow]) -> Vec<Self> {
-        let cases = super::distinct(curves.iter().map(|row| row.case.clone()));
+        let cases = distinct(curves.iter().map(|row| row.case.clone()));
         cases.iter().map(|case| Self::of(curves, case)).collect()
     }
 
@@ -167,7 +167,7 @@ fn shade(keys: &Keys, key: &Key) -> String {
         return OTHERS.to_owned();
     }
     let last = keys.nts.len().max(2) - 1;
-    hex(colour::at(super::position(&keys.nts, &key.nt) as f64 / last as f64))
+    hex(colour::at(position(&keys.nts, &key.nt) as f64 / last as f64))
 }
 
 /// The median of the values in each slice of the time `until` (s), in the middle of that slice.

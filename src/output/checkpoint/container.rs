@@ -1,7 +1,7 @@
 //! The container of a checkpoint: named sections of text or numbers, each with its checksum.
 //!
 //! ```text
-//! parsim2d checkpoint 1
+//! parsim2d checkpoint 2
 //! section scenario text 812 crc32 0a1b2c3d
 //! ... 812 bytes of text, and a line end ...
 //! section particles f64 12800 crc32 89abcdef
@@ -21,14 +21,13 @@ use std::io::{self, Write};
 use crc32fast::Hasher;
 
 pub use self::read::{read, read_from};
-use crate::simulation::state::Array;
-use crate::simulation::state::view::ArrayView;
+use crate::simulation::state::{Array, ArrayView};
 
 /// The words before the format's number in the first line.
 pub const MAGIC: &str = "parsim2d checkpoint ";
 
 /// The format written here.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// What a section held, read.
 #[derive(Clone, Debug, PartialEq)]

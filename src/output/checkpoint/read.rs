@@ -6,7 +6,7 @@ use std::path::Path;
 use super::container::{self, Content, Flaw};
 use super::{Checkpoint, CheckpointError, Progress};
 use crate::output::place::plain_file;
-use crate::output::recorder::continued::Written;
+use crate::output::written::Written;
 
 impl Checkpoint {
     /// Reads the checkpoint at `path`.

@@ -6,7 +6,7 @@ use super::container::{self, Section};
 use super::{Checkpoint, FILE, PREVIOUS, Progress};
 use crate::output::OutputError;
 use crate::output::replace::replace_durably;
-use crate::simulation::state::view::ArrayView;
+use crate::simulation::state::ArrayView;
 
 /// The sections of a checkpoint of `scenario`, as a scenario file, `progress` and `arrays`: texts first, for
 /// `head`.

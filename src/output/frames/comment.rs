@@ -1,5 +1,8 @@
 //! What the lines that begin with `#` say: our own heads, those of Poeschel and Schwager, and remarks.
 
+/// What remarks begin with.
+pub const COMMENT: [char; 2] = ['#', '%'];
+
 /// What one of them says, as far as it says anything.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comment {

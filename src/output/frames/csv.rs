@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use super::Frame;
 use super::column::Column;
+use super::frame::Frame;
 use crate::output::number::push_g9;
 
 /// The columns of a table of frames like `frame`: what it does not say is left out.

@@ -6,18 +6,18 @@
 pub mod data;
 pub mod dump;
 
-use super::Frame;
-use super::remarks::Remarks;
+use super::frame::Frame;
+use super::remarks::{Remarks, no_corner, no_square};
 
 /// A box from `[low, high]` along x and along y, m: its side if it is square and has a corner at 0 as ours.
 fn side(bounds: [Option<[f64; 2]>; 2], remarks: &mut Remarks) -> Option<f64> {
     let [x, y] = [bounds[0]?, bounds[1]?];
     if x[0] != 0.0 || y[0] != 0.0 {
-        remarks.add(super::no_corner(&[x[0], y[0]]));
+        remarks.add(no_corner(&[x[0], y[0]]));
         return None;
     }
     if x[1] != y[1] {
-        remarks.add(super::no_square(x[1], y[1]));
+        remarks.add(no_square(x[1], y[1]));
         return None;
     }
     Some(x[1])

@@ -6,8 +6,8 @@ use std::str::FromStr;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use super::FrameRow;
 use super::column::Column;
+use super::frame::{FrameRow, Row};
 use super::separator::{EMPTY, Separator};
 
 /// Which column is what, from the first on.
@@ -26,27 +26,6 @@ pub struct Layout {
     is_begin: bool,
     /// The radius of all discs, m, where no column says it.
     radius: Option<f64>,
-}
-
-/// What a row says.
-#[derive(Clone, Copy, Debug)]
-pub struct Row {
-    /// The disc.
-    pub disc: FrameRow,
-    /// A third coordinate, m.
-    pub z: Option<f64>,
-    /// The kind of the particle; 0 is one that moves freely.
-    pub kind: f64,
-    /// Number of the frame.
-    pub frame: Option<f64>,
-    /// Steps done.
-    pub step: Option<f64>,
-    /// Simulated time, s.
-    pub time: Option<f64>,
-    /// Whether its radius is said by a column.
-    pub has_radius: bool,
-    /// Side of the box, m.
-    pub side: Option<f64>,
 }
 
 impl Layout {

@@ -3,14 +3,14 @@
 use std::io::{BufRead, Chain, Cursor, Read};
 
 use super::format::Format;
+use super::frame::Frame;
 use super::lammps::data::Data;
 use super::lammps::dump::Dump;
 use super::layout::Layout;
 use super::lines::Lines;
-use super::remarks::Remarks;
+use super::remarks::{Remarks, Told};
 use super::table::Table;
 use super::xyz::Xyz;
-use super::{Frame, Told};
 
 /// So many bytes are looked at to tell the format.
 const START: u64 = 4096;

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::text::{Columns, Head};
+use super::head::{Columns, Head};
 use crate::output::number::push_g9;
 
 /// Text is handed on from so many bytes on: no less than any buffer behind holds, which need not copy it.
@@ -80,5 +80,15 @@ impl SameText {
             push_g9(&mut self.text, value);
         }
         &self.text
+    }
+}
+
+/// Appends numbers with blanks between them.
+pub(super) fn push_values(text: &mut Vec<u8>, values: &[f64]) {
+    for (column, &value) in values.iter().enumerate() {
+        if column > 0 {
+            text.push(b' ');
+        }
+        push_g9(text, value);
     }
 }

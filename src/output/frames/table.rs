@@ -2,14 +2,14 @@
 
 use std::io::BufRead;
 
-use super::Frame;
 use super::column::Column;
-use super::comment::Comment;
+use super::comment::{COMMENT, Comment};
+use super::frame::{Frame, Row};
 use super::guess::{self, BOOK, Guess};
 use super::ids::Ids;
-use super::layout::{Layout, Row};
+use super::layout::Layout;
 use super::lines::{Line, Lines};
-use super::remarks::Remarks;
+use super::remarks::{Remarks, no_square};
 use super::separator::Separator;
 
 mod heading;
@@ -55,9 +55,6 @@ pub struct Table {
     /// Whether less than two blank lines stand between any frames.
     is_narrow: bool,
 }
-
-/// What remarks begin with.
-const COMMENT: [char; 2] = ['#', '%'];
 
 /// What was done with a line.
 enum Step {
@@ -337,7 +334,7 @@ impl Table {
         if let [Some(width), Some(height)] = self.sides {
             match width == height {
                 true => frame.side = frame.side.or(Some(width)),
-                false => remarks.add(super::no_square(width, height)),
+                false => remarks.add(no_square(width, height)),
             }
         }
         self.tell(remarks);

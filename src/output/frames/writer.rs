@@ -4,8 +4,9 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::column::Column;
+use super::frame::Frame;
 use super::lammps::dump;
-use super::{Frame, csv, text, xyz};
+use super::{csv, text, xyz};
 
 /// A format that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,12 +6,13 @@
 use std::io::{self, BufRead, Write};
 
 use super::column::Column;
+use super::frame::{Frame, FrameRow, frame_of_rows};
 use super::guess::{self, Guess, Sample};
 use super::layout::Layout;
 use super::lines::Lines;
-use super::remarks::Remarks;
+use super::remarks::{IS_PERIODIC, Remarks, no_corner, no_square};
+use super::rows::push_values;
 use super::separator::{Separator, shortened};
-use super::{Frame, FrameRow, IS_PERIODIC, frame_of_rows, no_square, push_values};
 use crate::output::number::push_g9;
 
 const BLANK: Separator = Separator::BLANK;
@@ -225,7 +226,7 @@ fn side(pairs: &[(String, String)], remarks: &mut Remarks) -> Option<f64> {
     let &[width, a, _, b, height, ..] = &lattice[..] else { return None };
     let origin = value(pairs, "origin").and_then(|text| numbers(text).ok()).unwrap_or_default();
     if origin.iter().take(2).any(|&corner| corner != 0.0) {
-        remarks.add(super::no_corner(&origin));
+        remarks.add(no_corner(&origin));
         return None;
     }
     if width != height || a != 0.0 || b != 0.0 {

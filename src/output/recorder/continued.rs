@@ -1,12 +1,10 @@
 //! The files of a run that goes on from a checkpoint: checked, cut back to its moment, and continued.
 
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufReader, Read};
+use std::io::{self, Read};
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-
-use super::{OutputPlan, Recorder, Stale, make_ready, refuse_in_the_way};
+use super::{FILES, LIVE, OutputPlan, Recorder, Stale, make_ready, refuse_in_the_way};
 use crate::analysis::energy::EnergyLedger;
 use crate::output::energy::EnergyFile;
 use crate::output::growing::Extent;
@@ -16,49 +14,9 @@ use crate::output::place::{is_same, plain_file};
 use crate::output::replace::{NewFile, remove_temporaries};
 use crate::output::together::take_places;
 use crate::output::trajectory::Trajectory;
-use crate::output::{OutputError, checkpoint, failure, record};
+use crate::output::written::{ENERGY, TRAJECTORY, Written};
+use crate::output::{OutputError, record};
 use crate::simulation::Simulation;
-
-const TRAJECTORY: &str = "trajectory.txt";
-const ENERGY: &str = "energy.csv";
-const LIVE: &str = "out.txt";
-
-/// Every file that a run may be writing when it is killed.
-pub(super) const FILES: [&str; 7] =
-    [LIVE, TRAJECTORY, ENERGY, record::FILE, failure::FILE, checkpoint::FILE, checkpoint::PREVIOUS];
-
-/// How far the files of a run had come.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[allow(non_snake_case)] // a key's name ends with its unit
-pub struct Written {
-    /// Steps between frames.
-    pub frame_every: u64,
-    /// Step of the last frame.
-    pub frame_at: u64,
-    /// Steps between lines of the ledger; 0 for none.
-    pub energy_every: u64,
-    /// Step of the last line.
-    pub energy_at: u64,
-    /// Kinetic energy when the ledger was opened, J.
-    pub ledger_kinetic_J: f64,
-    /// `trajectory.txt`.
-    pub trajectory: Extent,
-    /// `energy.csv`, if there is one.
-    pub energy: Option<Extent>,
-}
-
-impl Written {
-    /// Whether the files in `folder` begin with what was written then; if not, which and why.
-    pub fn check(&self, folder: &Path) -> Result<(), OutputError> {
-        self.extents().try_for_each(|(name, extent)| check(&folder.join(name), extent))
-    }
-
-    fn extents(&self) -> impl Iterator<Item = (&'static str, Extent)> + use<> {
-        let extents = [(TRAJECTORY, Some(self.trajectory)), (ENERGY, self.energy)];
-        extents.into_iter().filter_map(|(name, extent)| Some((name, extent?)))
-    }
-}
 
 impl Recorder {
     /// How far the files have come, once that is on the disk.
@@ -127,25 +85,6 @@ impl Recorder {
             frame_at: written.frame_at,
             energy_at: written.energy_at,
         })
-    }
-}
-
-/// The file at `path` must begin with `extent`.
-fn check(path: &Path, extent: Extent) -> Result<(), OutputError> {
-    let refuse = |why: String| Err(OutputError::NotOfThatRun { path: path.to_owned(), why });
-    let file = match plain_file(path) {
-        Ok(file) => file,
-        Err(why) if why.kind() == io::ErrorKind::NotFound => {
-            return refuse("it is not there".to_owned());
-        }
-        Err(why) => return refuse(why.to_string()),
-    };
-    let bytes = extent.bytes;
-    match extent.is_begin_of(BufReader::new(file)) {
-        Ok(Some(true)) => Ok(()),
-        Ok(Some(false)) => refuse(format!("its first {bytes} bytes are not those of that run")),
-        Ok(None) => refuse(format!("it is shorter than the {bytes} bytes it had then")),
-        Err(why) => refuse(why.to_string()),
     }
 }
 

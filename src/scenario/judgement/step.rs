@@ -148,7 +148,7 @@ impl Scenario {
         (self.integrator == IntegratorName::ExplicitEuler).then(|| {
             let (lightest, _) = self.mass_range();
             let gain = |reduced_mass| {
-                let omega = angular_frequency(self.stiffness, reduced_mass);
+                let omega = angular_frequency(self.linear(reduced_mass).stiffness, reduced_mass);
                 let percent = 100.0 * (explicit_euler_gain(omega, self.dt()) - 1.0);
                 format!("{percent:.*}", if percent < 10.0 { 1 } else { 0 })
             };

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use crate::force::{HalfPlane, Walls};
+use crate::force::HalfPlane;
 use crate::particle::Particle;
 use crate::scenario::Scenario;
 use crate::scenario::expected::ExpectedContact;
@@ -43,22 +43,15 @@ impl Scenario {
     /// Speed after over speed before of one contact that begins `phase` of a step after a step: of a disc
     /// of the reduced mass with a wall, for the law sees no more of a pair. 0 if it does not end.
     fn stepped_contact(&self, contact: &ExpectedContact, phase: f64) -> f64 {
-        let omega = contact.angular_frequency;
-        let reduced_mass = self.stiffness / (omega * omega);
+        let ExpectedContact { reduced_mass, angular_frequency: omega, .. } = *contact;
         let (radius, dt) = (1.0, self.dt()); // m: nothing hangs on it, nor on the speed
         let speed = 0.1 * radius * omega;
         let at = DVec2::new(0.0, radius + phase * speed * dt);
         let mut disc = Particle::at_rest(at, radius, reduced_mass);
         disc.velocity.y = -speed;
         let floor = HalfPlane { point: DVec2::ZERO, normal: DVec2::NEG_Y };
-        let walls = Walls { law: self.law(), planes: vec![floor] };
-        let mut run = Simulation::new(
-            vec![disc],
-            DVec2::ZERO,
-            vec![Box::new(walls)],
-            self.new_integrator(),
-            dt,
-        );
+        let (law, integrator) = (self.law(), self.new_integrator());
+        let mut run = Simulation::new(vec![disc], DVec2::ZERO, law, &[floor], integrator, dt);
         let is_apart = |run: &Simulation| run.particles()[0].position.y >= radius;
         while is_apart(&run) {
             run.step();

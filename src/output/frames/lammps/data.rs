@@ -6,9 +6,9 @@ use std::io::BufRead;
 
 use glam::DVec2;
 
+use crate::output::frames::frame::{Frame, FrameRow};
 use crate::output::frames::lines::Lines;
 use crate::output::frames::remarks::Remarks;
-use crate::output::frames::{Frame, FrameRow};
 
 /// A data file while it is read.
 #[derive(Debug, Default)]

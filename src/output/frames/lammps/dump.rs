@@ -3,12 +3,13 @@
 use std::io::{self, BufRead, Write};
 
 use crate::output::frames::column::Column;
+use crate::output::frames::frame::{Frame, FrameRow, frame_of_rows};
 use crate::output::frames::layout::Layout;
 use crate::output::frames::lines::Lines;
-use crate::output::frames::remarks::Remarks;
+use crate::output::frames::remarks::{IS_PERIODIC, Remarks};
+use crate::output::frames::rows::push_values;
 use crate::output::frames::separator::Separator;
 use crate::output::frames::xyz::{each_row, push_in_space};
-use crate::output::frames::{Frame, IS_PERIODIC, frame_of_rows, push_values};
 use crate::output::number::push_g9;
 
 /// A dump while it is read.
@@ -193,8 +194,7 @@ fn bounds(frame: &Frame, axis: usize) -> [f64; 2] {
     if let Some(side) = frame.side {
         return [0.0, side];
     }
-    let ends =
-        |sign: f64| move |row: &super::super::FrameRow| row.position[axis] + sign * row.radius;
+    let ends = |sign: f64| move |row: &FrameRow| row.position[axis] + sign * row.radius;
     let low = frame.rows.iter().map(ends(-1.0)).fold(f64::INFINITY, f64::min);
     [low, frame.rows.iter().map(ends(1.0)).fold(low, f64::max)]
 }

@@ -2,7 +2,7 @@
 
 use super::Table;
 use crate::output::frames::column::Column;
-use crate::output::frames::layout::Row;
+use crate::output::frames::frame::Row;
 
 impl Table {
     /// The column that counts the frames must not go back: rows sorted by disc would be frames of one disc each.

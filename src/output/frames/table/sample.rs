@@ -2,8 +2,7 @@
 
 use std::io::BufRead;
 
-use super::COMMENT;
-use crate::output::frames::comment::Comment;
+use crate::output::frames::comment::{COMMENT, Comment};
 use crate::output::frames::guess::Sample;
 use crate::output::frames::lines::{Line, Lines};
 use crate::output::frames::separator::{Separator, shortened};

@@ -1,0 +1,194 @@
+//! Square cells, each named by a key, and discs sorted by them.
+//!
+//! There is no table of cells: what is kept is the sorted keys of the discs. A few discs far away cost a
+//! few digits of the keys, and no cell becomes larger by them.
+
+use glam::{DVec2, Vec2Swizzles};
+
+use super::sizes::Sizes;
+use super::workers::Workers;
+use crate::particle::Particle;
+
+/// Cells on either side of the middle of the discs, at most; what lies beyond is in the last ones. Numbers
+/// of up to 31 bits leave 22 of a position for where in its cell a disc is.
+const CELLS_AROUND: f64 = (1_u64 << 30) as f64;
+
+/// Cells are wider than asked for by this much, for the rounding of those 22 bits.
+const MARGIN: f64 = 1e-5;
+
+/// Bits by which discs are sorted at a time: the counts of so many digits stay in the nearest memory.
+const DIGIT: u32 = 11;
+
+/// Square cells over all discs. Keys ascend along the shorter side of where most discs are, so that
+/// neighbours in the next row lie near in memory.
+#[derive(Clone, Copy)]
+pub(super) struct Grid {
+    corner: DVec2, // m
+    per_metre: f64,
+    /// If the shorter side is upright, x and y are exchanged here.
+    is_upright: bool,
+    last_column: u64,
+    last_row: u64,
+    /// From a key to that of the cell above it. Beyond the last column there is one that is always empty.
+    pub row: u64,
+}
+
+impl Grid {
+    /// Cells of a side of `reach` (m) or a little more.
+    pub fn new(sizes: &Sizes, reach: f64) -> Self {
+        let side = reach * (1.0 + MARGIN);
+        let [low, high] = sizes.middle;
+        let around = DVec2::splat(CELLS_AROUND * side);
+        let corner = sizes.low.max(low - around);
+        let size = (sizes.high.min(high + around) - corner) / side;
+        let is_upright = (high - low).y < (high - low).x;
+        let last = if is_upright { size.yx() } else { size };
+        let (last_column, last_row) = (last.x as u64, last.y as u64);
+        Self {
+            corner,
+            per_metre: 1.0 / side,
+            is_upright,
+            last_column,
+            last_row,
+            row: last_column + 2,
+        }
+    }
+
+    /// The cell at `position`. Discs closer than a side are in one cell or in two that touch.
+    pub fn key(&self, position: DVec2) -> u64 {
+        let cell = (position - self.corner) * self.per_metre;
+        let cell = if self.is_upright { cell.yx() } else { cell };
+        // `as` sends negative numbers and NaN to 0 and large ones to the last cell. Column 0 is that beyond
+        // the last one, and there is a row before the first.
+        let column = (cell.x as u64).min(self.last_column) + 1;
+        ((cell.y as u64).min(self.last_row) + 1) * self.row + column
+    }
+
+    /// The cells of discs.
+    pub fn keys(&self, particles: &[Particle], workers: &Workers) -> Vec<u64> {
+        let mut keys = vec![0; particles.len()];
+        workers.pieces(&mut keys, |first, keys| {
+            keys.iter_mut()
+                .zip(&particles[first..])
+                .for_each(|(key, p)| *key = self.key(p.position));
+        });
+        keys
+    }
+
+    /// The order in which discs are to be stored: for each place, where its disc is now. Discs of a cell
+    /// follow each other by id, so that two at exactly one place are always the same first and second of
+    /// their contact.
+    pub fn order(&self, particles: &[Particle], ids: &[u32], workers: &Workers) -> Vec<u32> {
+        let keys = self.keys(particles, workers);
+        let key = |now: u32| keys[now as usize];
+        let mut order: Vec<u32> = (0..particles.len() as u32).collect();
+        sort_by_key(&mut order, |now| key(*now));
+        for cell in order.chunk_by_mut(|a, b| key(*a) == key(*b)).filter(|cell| cell.len() > 1) {
+            cell.sort_unstable_by_key(|&now| ids[now as usize]);
+        }
+        order
+    }
+}
+
+/// Sorts by `key`, the equal ones in the order in which they come: digit by digit, the lowest first.
+pub(super) fn sort_by_key<T: Copy>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
+    let [lowest, highest] = items.iter().fold([u64::MAX, 0], |[low, high], item| {
+        let key = key(item);
+        [low.min(key), high.max(key)]
+    });
+    let lowest = lowest.min(highest); // of nothing
+    let bits = u64::BITS - (highest - lowest).leading_zeros();
+    let width = bits.div_ceil(bits.div_ceil(DIGIT).max(1));
+    let mut sorted = items.clone();
+    for shift in (0..bits).step_by(width.max(1) as usize) {
+        let digit = |item: &T| ((key(item) - lowest) >> shift) as usize & ((1 << width) - 1);
+        let mut ends = vec![0_usize; 1 << width];
+        items.iter().for_each(|item| ends[digit(item)] += 1);
+        let mut end = 0;
+        for start in &mut ends {
+            (*start, end) = (end, end + *start);
+        }
+        for item in &*items {
+            let next = &mut ends[digit(item)];
+            sorted[*next] = *item;
+            *next += 1;
+        }
+        std::mem::swap(items, &mut sorted);
+    }
+}
+
+/// Moves the disc at `order[place]` to `place`, for all places, and all that lies beside the discs
+/// with them, in place. `order` is used up.
+pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
+    for first in 0..order.len() {
+        let mut place = first;
+        loop {
+            let from = std::mem::replace(&mut order[place], place as u32) as usize;
+            if from == first || from == place {
+                break;
+            }
+            swap(place, from);
+            place = from;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_put_in_order_lies_where_the_order_says() {
+        for order in [vec![], vec![0], vec![1, 0], vec![2, 0, 1, 3], vec![4, 3, 0, 1, 2]] {
+            let before: Vec<u32> = (0..order.len() as u32).map(|k| 10 * k).collect();
+            let mut after = before.clone();
+            put_in_order(&mut order.clone(), |a, b| after.swap(a, b));
+            let wanted: Vec<u32> = order.iter().map(|&from| before[from as usize]).collect();
+            assert_eq!(after, wanted);
+        }
+    }
+
+    #[test]
+    fn what_is_sorted_by_key_ascends_and_equal_ones_stay_as_they_came() {
+        for (n, times) in
+            [(0, 1), (1, 1), (5, 0), (1000, 1), (1000, 0x1_0000_0001), (3000, 1 << 52)]
+        {
+            let key = |k: u32| u64::from(7919 * k % 512) * times;
+            let mut sorted: Vec<u32> = (0..n).collect();
+            sort_by_key(&mut sorted, |k| key(*k));
+            let mut wanted: Vec<u32> = (0..n).collect();
+            wanted.sort_by_key(|k| key(*k));
+            assert_eq!(sorted, wanted);
+        }
+    }
+
+    #[test]
+    fn discs_closer_than_a_side_are_in_cells_that_touch_wherever_they_are() {
+        let golden = |k: usize| (0.618_034 * k as f64).fract();
+        let spread = |k: usize| DVec2::new(golden(k), golden(7 * k + 3));
+        let kinds: [fn(DVec2) -> DVec2; 5] = [
+            |place| place,
+            |place| DVec2::new(place.x, 10.0 * place.y),
+            |place| DVec2::new(place.x, 0.0),
+            |place| DVec2::new(1e4 * place.x, place.y),
+            |place| if place.x < 0.01 { 1e12 * place } else { place },
+        ];
+        for kind in kinds {
+            let discs: Vec<_> =
+                (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
+            let ids: Vec<u32> = (0..400).collect();
+            let (reach, sizes) = (0.05, Sizes::of(&discs, &ids, &Workers::of(1)));
+            let grid = Grid::new(&sizes, reach);
+            for (k, p) in discs.iter().enumerate() {
+                let key = grid.key(p.position);
+                let around = [key - grid.row, key, key + grid.row];
+                for q in &discs[..k] {
+                    let other = grid.key(q.position);
+                    let is_near = p.position.distance(q.position) < reach;
+                    let touch = around.iter().any(|key| other.abs_diff(*key) <= 1);
+                    assert!(touch || !is_near, "{p:?} {q:?}");
+                }
+            }
+        }
+    }
+}

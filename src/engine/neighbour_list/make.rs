@@ -1,0 +1,102 @@
+//! The making of a list: near pairs are found by a [`search`], laid out by [`blocks`], and named disc by disc as
+//! [`parts`]; discs near walls are listed here.
+
+mod across;
+mod blocks;
+mod parts;
+mod search;
+
+pub(super) use self::search::Search;
+use glam::DVec2;
+
+use super::NeighbourList;
+use super::skin::{best_skin, widest_skin};
+use crate::boundary::Boundary;
+use crate::discs::columns::Columns;
+use crate::engine::block::BLOCK;
+use crate::engine::levels::{Level, levels};
+use crate::engine::sizes::Sizes;
+use crate::engine::workers::Workers;
+use crate::particle::Particle;
+
+/// What a list is made of.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Listed<'a> {
+    /// The discs as they are stored, and their ids.
+    pub particles: &'a [Particle],
+    pub ids: &'a [u32],
+    pub boundary: Boundary,
+    /// Whether a disc may touch a wall once it has come closer by so much (m).
+    pub may_touch: &'a (dyn Fn(&Particle, f64) -> bool + Sync),
+}
+
+impl NeighbourList {
+    /// A new list, for discs of these `sizes`, stored cell by cell, of which the fastest goes `travel` m a step.
+    pub fn make(&mut self, listed: Listed, sizes: &Sizes, travel: f64, workers: &Workers) {
+        let particles = listed.particles;
+        let widest = widest_skin(sizes, travel);
+        let levels = levels(particles, sizes, widest, workers);
+        let search = Search { particles, skin: widest };
+        self.skin = best_skin(search, &levels, sizes, travel, workers);
+        self.list(listed, &levels, self.skin, workers);
+        self.refer_to(particles, workers);
+        self.made += 1;
+    }
+
+    /// A list for discs to which `remembered` goes back. They lie about where they were listed, so the skin
+    /// is twice as wide; the next list is made at the same step as the first time.
+    pub fn restore(&mut self, remembered: &Columns, listed: Listed, workers: &Workers) {
+        let Columns { reference_positions, list: [skin, limit_squared], .. } = remembered;
+        self.skin = *skin;
+        self.limit_squared = *limit_squared;
+        self.reference_positions.clone_from(reference_positions);
+        self.list_anywhere(listed, workers);
+    }
+
+    /// Lists discs that are not stored cell by cell, with a skin twice as wide, and refers to no new
+    /// positions.
+    pub fn list_anywhere(&mut self, listed: Listed, workers: &Workers) {
+        let skin = 2.0 * self.skin;
+        let levels = levels(
+            listed.particles,
+            &Sizes::of(listed.particles, listed.ids, workers),
+            skin,
+            workers,
+        );
+        self.list(listed, &levels, skin, workers);
+    }
+
+    fn list(&mut self, listed: Listed, levels: &[Level], skin: f64, workers: &Workers) {
+        let search = Search { particles: listed.particles, skin };
+        self.list_pairs(search, listed.boundary, levels, workers);
+        self.list_across(listed, skin);
+        self.list_parts(listed.ids, workers);
+        self.list_at_wall(listed, skin, workers);
+        self.is_there = true;
+    }
+
+    fn list_at_wall(&mut self, listed: Listed, skin: f64, workers: &Workers) {
+        let Listed { particles, may_touch, .. } = listed;
+        let mut blocks = vec![Vec::new(); particles.len().div_ceil(BLOCK)];
+        workers.pieces(&mut blocks, |first, blocks| {
+            let mut places = (first * BLOCK) as u32..;
+            for (block, discs) in blocks.iter_mut().zip(particles[first * BLOCK..].chunks(BLOCK)) {
+                let near = discs.iter().zip(&mut places).filter(|(p, _)| may_touch(p, skin));
+                block.extend(near.map(|(_, place)| place));
+            }
+        });
+        self.at_wall.clear();
+        blocks.iter().for_each(|block| self.at_wall.extend_from_slice(block));
+    }
+
+    /// From now on discs are held against their present positions.
+    fn refer_to(&mut self, particles: &[Particle], workers: &Workers) {
+        self.reference_positions.resize(particles.len(), DVec2::ZERO);
+        workers.pieces(&mut self.reference_positions, |first, reference_positions| {
+            let discs = &particles[first..];
+            reference_positions.iter_mut().zip(discs).for_each(|(here, p)| *here = p.position);
+        });
+        let limit = 0.499 * self.skin; // a little less than half the skin, for rounding
+        self.limit_squared = limit * limit;
+    }
+}
