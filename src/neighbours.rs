@@ -13,7 +13,7 @@ use crate::particle::Particle;
 const WANTED_LIFE: u32 = 25;
 /// More near pairs than this per disc cost more to walk than a new list costs to make.
 const MOST_PAIRS_PER_DISC: usize = 6;
-/// Bounds of the skin, in largest radii.
+/// Bounds of the skin, in smallest radii.
 const SKIN: std::ops::RangeInclusive<f64> = 0.1..=20.0;
 
 /// The near pairs of a set of discs, kept up to date.
@@ -61,7 +61,8 @@ impl Neighbours {
 
     /// The skin follows what the last list taught: how long it served and how many pairs it had.
     fn choose_skin(&mut self, particles: &[Particle]) {
-        let radius = largest_radius(particles);
+        // Of the smallest: a giant's would hold thousands of small discs near each other.
+        let radius = particles.iter().map(|p| p.radius).fold(f64::INFINITY, f64::min);
         if self.listed_at.len() != particles.len() {
             self.skin = 0.5 * radius;
         } else if self.pairs.len() > MOST_PAIRS_PER_DISC * particles.len() {

@@ -22,9 +22,6 @@ use crate::particle::{Contact, ContactLaw};
 /// Pairs worked on at a time.
 const GROUP: usize = 4;
 
-/// Groups whose roots are under way while others are turned into contacts.
-const LAG: usize = 2;
-
 /// Numbers about the contacts of a chunk, group by group.
 #[repr(C, align(64))]
 #[derive(Clone, Copy)]
@@ -196,21 +193,14 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
             let here = CHUNK.min(all.len() - first).min(ring.len() - slot);
             let pairs = &all[first..first + here];
             let sizing = self.sizing.chunk(self.block.first + first);
-            let (mut notable, most) = (zero, largest.notable);
+            let mut notable = zero;
+            let seen_as = (&sizing, largest.notable);
             let mut written = ring[before.clone()].chunks_exact_mut(GROUP).enumerate();
             for (group, pairs) in pairs.chunks_exact(GROUP).enumerate() {
                 if let Some((group, out)) = written.next() {
                     last.write::<V, E>(zero, group, out);
                 }
-                self.see::<V>(zero, pairs, &sizing, group, now);
-                if group >= LAG {
-                    let deep = now.turn::<V, S>(zero, group - LAG, &sizing, most);
-                    notable = notable.or_where(deep);
-                }
-            }
-            let groups = here / GROUP;
-            for group in groups.saturating_sub(LAG)..groups {
-                notable = notable.or_where(now.turn::<V, S>(zero, group, &sizing, most));
+                notable = notable.or_where(self.see::<V>(zero, pairs, seen_as, group, now));
             }
             for (group, out) in written {
                 last.write::<V, E>(zero, group, out);
@@ -226,16 +216,16 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
         last.write_from::<V, E>(zero, 0, &mut ring[before]);
     }
 
-    /// How far apart the discs of a group are and how fast they part; whether they touch.
+    /// The geometry of a group of pairs. Says where an overlap is worth a closer look.
     #[inline(always)]
     fn see<V: Lanes>(
         &self,
         zero: V,
         pairs: &[[u16; 2]],
-        sizing: &S::Chunk,
+        (sizing, notable): (&S::Chunk, f64),
         group: usize,
         contacts: &mut Contacts,
-    ) {
+    ) -> V {
         // Seen from the first disc: velocities with the other sign than in `Contact::between`.
         let seen = |[i, j]: [u16; 2]| {
             let discs = &self.block.discs;
@@ -245,12 +235,20 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
         let [x, y, vx, vy] = V::transposed([a, b, c, d]);
         let reach = S::reach(zero, sizing, GROUP * group);
         let distance_squared = x * x + y * y;
-        contacts.touch.set(group, distance_squared.is_less(reach * reach));
-        contacts.overlap.set(group, distance_squared.sqrt());
-        contacts.normal_x.set(group, x);
-        contacts.normal_y.set(group, y);
-        contacts.approach_speed.set(group, vx);
-        contacts.push.set(group, vy);
+        let touch = distance_squared.is_less(reach * reach);
+        contacts.touch.set(group, touch);
+        if !touch.is_any() {
+            contacts.overlap.set(group, zero); // most groups of a gas, few of a bed
+            return zero;
+        }
+        let distance = distance_squared.sqrt();
+        let (normal_x, normal_y) = (x / distance, y / distance);
+        let overlap = (reach - distance).where_all(touch);
+        contacts.normal_x.set(group, normal_x);
+        contacts.normal_y.set(group, normal_y);
+        contacts.overlap.set(group, overlap);
+        contacts.approach_speed.set(group, (vx * normal_x + vy * normal_y).negated());
+        (zero.all(notable) * S::smaller_radius(zero, sizing, GROUP * group)).is_less(overlap)
     }
 
     /// Notes overlaps, and gives those at exactly one place a direction, as [`Contact::between`] does.
@@ -311,32 +309,6 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
 }
 
 impl Contacts {
-    /// Turns what was seen of a group into contacts, and says where an overlap is worth a closer look.
-    ///
-    /// Until then the columns hold something else: the distance lies in `overlap`, x and y in the normals, and the
-    /// velocity of the second as the first sees it in `approach_speed` and `push`. Roots take so long that two groups are
-    /// seen before one is turned.
-    #[inline(always)]
-    fn turn<V: Lanes, S: Sizing>(
-        &mut self,
-        zero: V,
-        group: usize,
-        sizing: &S::Chunk,
-        notable: f64,
-    ) -> V {
-        let distance = self.overlap.group(zero, group);
-        let normal_x = self.normal_x.group(zero, group) / distance;
-        let normal_y = self.normal_y.group(zero, group) / distance;
-        let reach = S::reach(zero, sizing, GROUP * group);
-        let overlap = (reach - distance).where_all(self.touch.group(zero, group));
-        let (vx, vy) = (self.approach_speed.group(zero, group), self.push.group(zero, group));
-        self.overlap.set(group, overlap);
-        self.normal_x.set(group, normal_x);
-        self.normal_y.set(group, normal_y);
-        self.approach_speed.set(group, (vx * normal_x + vy * normal_y).negated());
-        (zero.all(notable) * S::smaller_radius(zero, sizing, GROUP * group)).is_less(overlap)
-    }
-
     /// The forces of a group of contacts, both sides.
     #[inline(always)]
     fn write<V: Lanes, E: Entry<V>>(&self, zero: V, group: usize, out: &mut [E::Both]) {
@@ -364,3 +336,6 @@ impl Contacts {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
