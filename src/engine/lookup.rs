@@ -1,7 +1,7 @@
 //! Values found by numbers that a neighbour list names, without asking each time whether they are there.
 //!
-//! A step looks up eight discs and twelve forces for every four pairs. Asking each time takes a fifth of the
-//! instructions of the walk; the list is made once in tens of steps and keeps its numbers in bounds.
+//! A step looks up eight discs and twelve forces for every four pairs. The list is made once in tens
+//! of steps and keeps its numbers in bounds.
 #![allow(unsafe_code)]
 
 /// Values with a promise that only numbers below their length are asked for.
