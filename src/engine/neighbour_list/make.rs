@@ -72,6 +72,7 @@ impl NeighbourList {
         self.list_across(listed, skin);
         self.list_parts(listed.ids, workers);
         self.list_at_wall(listed, skin, workers);
+        self.note_begins(listed.particles.len());
         self.is_there = true;
     }
 
