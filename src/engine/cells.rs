@@ -5,9 +5,9 @@
 
 use glam::{DVec2, Vec2Swizzles};
 
+use super::phase::Phase;
 use super::sizes::Sizes;
 use super::workers::Workers;
-use crate::particle::Particle;
 
 /// Cells on either side of the middle of the discs, at most; what lies beyond is in the last ones. Numbers
 /// of up to 31 bits leave 22 of a position for where in its cell a disc is.
@@ -65,12 +65,11 @@ impl Grid {
     }
 
     /// The cells of discs.
-    pub fn keys(&self, particles: &[Particle], workers: &Workers) -> Vec<u64> {
-        let mut keys = vec![0; particles.len()];
+    pub fn keys(&self, phases: &[Phase], workers: &Workers) -> Vec<u64> {
+        let mut keys = vec![0; phases.len()];
         workers.pieces(&mut keys, |first, keys| {
-            keys.iter_mut()
-                .zip(&particles[first..])
-                .for_each(|(key, p)| *key = self.key(p.position));
+            let discs = keys.iter_mut().zip(&phases[first..]);
+            discs.for_each(|(key, p)| *key = self.key(p.position()));
         });
         keys
     }
@@ -78,10 +77,10 @@ impl Grid {
     /// The order in which discs are to be stored: for each place, where its disc is now. Discs of a cell
     /// follow each other by id, so that two at exactly one place are always the same first and second of
     /// their contact.
-    pub fn order(&self, particles: &[Particle], ids: &[u32], workers: &Workers) -> Vec<u32> {
-        let keys = self.keys(particles, workers);
+    pub fn order(&self, phases: &[Phase], ids: &[u32], workers: &Workers) -> Vec<u32> {
+        let keys = self.keys(phases, workers);
         let key = |now: u32| keys[now as usize];
-        let mut order: Vec<u32> = (0..particles.len() as u32).collect();
+        let mut order: Vec<u32> = (0..phases.len() as u32).collect();
         sort_by_key(&mut order, |now| key(*now));
         for cell in order.chunk_by_mut(|a, b| key(*a) == key(*b)).filter(|cell| cell.len() > 1) {
             cell.sort_unstable_by_key(|&now| ids[now as usize]);

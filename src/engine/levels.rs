@@ -5,9 +5,8 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::cells::{Grid, sort_by_key};
-use super::sizes::Sizes;
+use super::sizes::{Extents, Sizes};
 use super::workers::Workers;
-use crate::particle::Particle;
 
 /// Discs of about one size, sorted by cells so wide that two near ones are in cells that touch.
 pub(super) struct Level {
@@ -35,18 +34,20 @@ impl Run<'_> {
         }
     }
 
-    /// Tells `of` where each is stored, and itself.
+    /// Tells `of` where each is stored, where it is and its radius (m).
     #[inline(always)]
-    pub fn each(self, particles: &[Particle], mut of: impl FnMut(usize, &Particle)) {
+    pub fn each(self, discs: Extents, mut of: impl FnMut(usize, DVec2, f64)) {
         match self {
             Self::Stored(places) => {
-                for (place, p) in places.clone().zip(&particles[places]) {
-                    of(place, p);
+                let here = discs.phases[places.clone()].iter().zip(&discs.radii[places.clone()]);
+                for (place, (p, radius)) in places.zip(here) {
+                    of(place, p.position(), *radius);
                 }
             }
             Self::At(places) => {
                 for &place in places {
-                    of(place as usize, &particles[place as usize]);
+                    let (position, radius) = discs.at(place as usize);
+                    of(place as usize, position, radius);
                 }
             }
         }
@@ -55,10 +56,9 @@ impl Run<'_> {
 
 impl Level {
     /// All discs as one level of near pairs within `skin` (m) of touching.
-    pub fn of_all(particles: &[Particle], sizes: &Sizes, skin: f64, workers: &Workers) -> Self {
-        let largest_radius = sizes.largest_radius;
-        let grid = Grid::new(sizes, 2.0 * largest_radius + skin);
-        let keys = grid.keys(particles, workers);
+    pub fn of_all(discs: Extents, sizes: &Sizes, skin: f64, workers: &Workers) -> Self {
+        let grid = Grid::new(sizes, 2.0 * sizes.largest_radius + skin);
+        let keys = grid.keys(discs.phases, workers);
         Self { grid, keys, places: None }.sorted()
     }
 
@@ -143,43 +143,38 @@ pub(super) struct Around {
 /// Levels of near pairs within `skin` (m) of touching, finest first: discs of one level have radii within
 /// a factor of 2 (Krijgsman, Ogarko and Luding 2014), so that small ones are not looked for in cells for
 /// large ones.
-pub(super) fn levels(
-    particles: &[Particle],
-    sizes: &Sizes,
-    skin: f64,
-    workers: &Workers,
-) -> Vec<Level> {
+pub(super) fn levels(discs: Extents, sizes: &Sizes, skin: f64, workers: &Workers) -> Vec<Level> {
     if is_one_level(sizes, skin) {
-        return vec![Level::of_all(particles, sizes, skin, workers)];
+        return vec![Level::of_all(discs, sizes, skin, workers)];
     }
     let mut members = vec![Vec::new(); LEVELS];
-    for (place, p) in (0..).zip(particles) {
-        members[level_of(p.radius, sizes)].push(place);
+    for (place, radius) in (0..).zip(discs.radii) {
+        members[level_of(*radius, sizes)].push(place);
     }
     let level = |places: Vec<u32>| {
-        let discs = || places.iter().map(|&place| &particles[place as usize]);
-        let largest_radius = discs().map(|p| p.radius).fold(0.0, f64::max);
+        let discs = || places.iter().map(|&place| discs.at(place as usize));
+        let largest_radius = discs().map(|(_, radius)| radius).fold(0.0, f64::max);
         let grid = Grid::new(sizes, 2.0 * largest_radius + skin);
-        let keys = discs().map(|p| grid.key(p.position)).collect();
+        let keys = discs().map(|(position, _)| grid.key(position)).collect();
         Level { grid, keys, places: Some(places) }.sorted()
     };
     members.into_iter().filter(|places| !places.is_empty()).map(level).collect()
 }
 
 /// The largest radius, m, of those of the median disc's level: what cells of the order of storage follow.
-pub(super) fn usual_radius(particles: &[Particle], sizes: &Sizes, skin: f64) -> f64 {
+pub(super) fn usual_radius(radii: &[f64], sizes: &Sizes, skin: f64) -> f64 {
     if is_one_level(sizes, skin) {
         return sizes.largest_radius;
     }
     let mut levels = [(0, 0.0_f64); LEVELS];
-    for p in particles {
-        let (count, largest) = &mut levels[level_of(p.radius, sizes)];
-        (*count, *largest) = (*count + 1, largest.max(p.radius));
+    for &radius in radii {
+        let (count, largest) = &mut levels[level_of(radius, sizes)];
+        (*count, *largest) = (*count + 1, largest.max(radius));
     }
     let mut before = 0;
     let median = levels.iter().find(|(count, _)| {
         before += count;
-        2 * before >= particles.len()
+        2 * before >= radii.len()
     });
     median.map_or(sizes.largest_radius, |(_, largest)| *largest)
 }

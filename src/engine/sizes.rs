@@ -3,11 +3,32 @@
 use glam::DVec2;
 
 use super::block::BLOCK;
+use super::phase::Phase;
 use super::workers::Workers;
-use crate::particle::Particle;
 
 /// Discs looked at to learn where most of them are.
 const SAMPLE: usize = 256;
+
+/// Where discs are, as they are stored, and how far each acts on its like.
+#[derive(Clone, Copy)]
+pub(super) struct Extents<'a> {
+    pub phases: &'a [Phase],
+    /// Half of the distance of centres up to which it does, m: its radius, or more.
+    pub radii: &'a [f64],
+}
+
+impl Extents<'_> {
+    /// Number of discs.
+    pub fn count(&self) -> usize {
+        self.phases.len()
+    }
+
+    /// Where the disc at this place is (m), and its radius (m).
+    #[inline(always)]
+    pub fn at(&self, place: usize) -> (DVec2, f64) {
+        (self.phases[place].position(), self.radii[place])
+    }
+}
 
 /// What is to be known of all discs before their near pairs are listed.
 ///
@@ -32,17 +53,20 @@ pub(super) struct Sizes {
 
 impl Sizes {
     /// Looks at all discs.
-    pub fn of(particles: &[Particle], ids: &[u32], workers: &Workers) -> Self {
-        let mut blocks = vec![Self::of_none(); particles.len().div_ceil(BLOCK)];
+    pub fn of(discs: Extents, ids: &[u32], workers: &Workers) -> Self {
+        let mut blocks = vec![Self::of_none(); discs.count().div_ceil(BLOCK)];
         workers.pieces(&mut blocks, |first, blocks| {
-            let discs = particles[first * BLOCK..].chunks(BLOCK);
-            blocks.iter_mut().zip(discs).for_each(|(block, discs)| *block = Self::sums(discs));
+            let phases = discs.phases[first * BLOCK..].chunks(BLOCK);
+            let radii = discs.radii[first * BLOCK..].chunks(BLOCK);
+            for (block, (phases, radii)) in blocks.iter_mut().zip(phases.zip(radii)) {
+                *block = Self::sums(Extents { phases, radii });
+            }
         });
         let mut all = blocks.iter().fold(Self::of_none(), Self::and);
-        all.mean_radius /= particles.len().max(1) as f64;
+        all.mean_radius /= discs.count().max(1) as f64;
         all.areas *= std::f64::consts::PI;
         all.fastest = all.fastest.sqrt();
-        all.look_at_the_middle(particles, ids);
+        all.look_at_the_middle(discs.phases, ids);
         all
     }
 
@@ -61,16 +85,17 @@ impl Sizes {
     }
 
     /// Sums in the place of means, areas over pi, and speeds squared.
-    fn sums(discs: &[Particle]) -> Self {
+    fn sums(discs: Extents) -> Self {
         let mut sums = Self::of_none();
-        for p in discs {
-            sums.smallest_radius = sums.smallest_radius.min(p.radius);
-            sums.largest_radius = sums.largest_radius.max(p.radius);
-            sums.mean_radius += p.radius;
-            sums.areas += p.radius * p.radius;
-            sums.fastest = sums.fastest.max(p.velocity.length_squared());
-            if p.position.is_finite() {
-                (sums.low, sums.high) = (sums.low.min(p.position), sums.high.max(p.position));
+        for (p, &radius) in discs.phases.iter().zip(discs.radii) {
+            sums.smallest_radius = sums.smallest_radius.min(radius);
+            sums.largest_radius = sums.largest_radius.max(radius);
+            sums.mean_radius += radius;
+            sums.areas += radius * radius;
+            sums.fastest = sums.fastest.max(p.velocity().length_squared());
+            let position = p.position();
+            if position.is_finite() {
+                (sums.low, sums.high) = (sums.low.min(position), sums.high.max(position));
             }
         }
         sums
@@ -92,13 +117,13 @@ impl Sizes {
     /// From a sample: a few discs far away must not count. It is drawn by a hash of the ids, since every so
     /// many'th disc may be one column of a bed, and is always of the same discs, so that what follows from it
     /// does not change from list to list.
-    fn look_at_the_middle(&mut self, particles: &[Particle], ids: &[u32]) {
-        let drawn = u64::MAX / particles.len().div_ceil(SAMPLE).max(1) as u64;
+    fn look_at_the_middle(&mut self, phases: &[Phase], ids: &[u32]) {
+        let drawn = u64::MAX / phases.len().div_ceil(SAMPLE).max(1) as u64;
         let sample: Vec<DVec2> = ids
             .iter()
-            .zip(particles)
-            .filter(|(id, p)| hash(u64::from(**id)) <= drawn && p.position.is_finite())
-            .map(|(_, p)| p.position)
+            .zip(phases)
+            .filter(|(id, p)| hash(u64::from(**id)) <= drawn && p.position().is_finite())
+            .map(|(_, p)| p.position())
             .collect();
         let [x, y] = [0, 1].map(|axis| quartiles(sample.iter().map(|position| position[axis])));
         let [low, high] = [DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1])];

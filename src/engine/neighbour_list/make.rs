@@ -15,31 +15,31 @@ use crate::boundary::Boundary;
 use crate::discs::columns::Columns;
 use crate::engine::block::BLOCK;
 use crate::engine::levels::{Level, levels};
-use crate::engine::sizes::Sizes;
+use crate::engine::phase::Phase;
+use crate::engine::sizes::{Extents, Sizes};
 use crate::engine::workers::Workers;
-use crate::particle::Particle;
 
 /// What a list is made of.
 #[derive(Clone, Copy)]
 pub(in crate::engine) struct Listed<'a> {
     /// The discs as they are stored, and their ids.
-    pub particles: &'a [Particle],
+    pub discs: Extents<'a>,
     pub ids: &'a [u32],
     pub boundary: Boundary,
-    /// Whether a disc may touch a wall once it has come closer by so much (m).
-    pub may_touch: &'a (dyn Fn(&Particle, f64) -> bool + Sync),
+    /// Whether a wall is closer to a position than this (m).
+    pub is_at_wall: &'a (dyn Fn(DVec2, f64) -> bool + Sync),
 }
 
 impl NeighbourList {
     /// A new list, for discs of these `sizes`, stored cell by cell, of which the fastest goes `travel` m a step.
     pub fn make(&mut self, listed: Listed, sizes: &Sizes, travel: f64, workers: &Workers) {
-        let particles = listed.particles;
+        let discs = listed.discs;
         let widest = widest_skin(sizes, travel);
-        let levels = levels(particles, sizes, widest, workers);
-        let search = Search { particles, skin: widest };
+        let levels = levels(discs, sizes, widest, workers);
+        let search = Search { discs, skin: widest };
         self.skin = best_skin(search, &levels, sizes, travel, workers);
         self.list(listed, &levels, self.skin, workers);
-        self.refer_to(particles, workers);
+        self.refer_to(discs.phases, workers);
         self.made += 1;
     }
 
@@ -57,17 +57,13 @@ impl NeighbourList {
     /// positions.
     pub fn list_anywhere(&mut self, listed: Listed, workers: &Workers) {
         let skin = 2.0 * self.skin;
-        let levels = levels(
-            listed.particles,
-            &Sizes::of(listed.particles, listed.ids, workers),
-            skin,
-            workers,
-        );
+        let sizes = Sizes::of(listed.discs, listed.ids, workers);
+        let levels = levels(listed.discs, &sizes, skin, workers);
         self.list(listed, &levels, skin, workers);
     }
 
     fn list(&mut self, listed: Listed, levels: &[Level], skin: f64, workers: &Workers) {
-        let search = Search { particles: listed.particles, skin };
+        let search = Search { discs: listed.discs, skin };
         self.list_pairs(search, listed.boundary, levels, workers);
         self.list_across(listed, skin);
         self.list_parts(listed.ids, workers);
@@ -76,13 +72,16 @@ impl NeighbourList {
     }
 
     fn list_at_wall(&mut self, listed: Listed, skin: f64, workers: &Workers) {
-        let Listed { particles, may_touch, .. } = listed;
-        let mut blocks = vec![Vec::new(); particles.len().div_ceil(BLOCK)];
+        let Listed { discs, is_at_wall, .. } = listed;
+        let mut blocks = vec![Vec::new(); discs.count().div_ceil(BLOCK)];
         workers.pieces(&mut blocks, |first, blocks| {
-            let mut places = (first * BLOCK) as u32..;
-            for (block, discs) in blocks.iter_mut().zip(particles[first * BLOCK..].chunks(BLOCK)) {
-                let near = discs.iter().zip(&mut places).filter(|(p, _)| may_touch(p, skin));
-                block.extend(near.map(|(_, place)| place));
+            let places = (first * BLOCK..discs.count()).step_by(BLOCK);
+            for (block, first) in blocks.iter_mut().zip(places) {
+                let near = (first..(first + BLOCK).min(discs.count())).filter(|&place| {
+                    let (position, radius) = discs.at(place);
+                    is_at_wall(position, radius + skin)
+                });
+                block.extend(near.map(|place| place as u32));
             }
         });
         self.at_wall.clear();
@@ -90,11 +89,11 @@ impl NeighbourList {
     }
 
     /// From now on discs are held against their present positions.
-    fn refer_to(&mut self, particles: &[Particle], workers: &Workers) {
-        self.reference_positions.resize(particles.len(), DVec2::ZERO);
+    fn refer_to(&mut self, phases: &[Phase], workers: &Workers) {
+        self.reference_positions.resize(phases.len(), DVec2::ZERO);
         workers.pieces(&mut self.reference_positions, |first, reference_positions| {
-            let discs = &particles[first..];
-            reference_positions.iter_mut().zip(discs).for_each(|(here, p)| *here = p.position);
+            let discs = &phases[first..];
+            reference_positions.iter_mut().zip(discs).for_each(|(here, p)| *here = p.position());
         });
         let limit = 0.499 * self.skin; // a little less than half the skin, for rounding
         self.limit_squared = limit * limit;

@@ -67,13 +67,13 @@ impl NeighbourList {
         levels: &[Level],
         workers: &Workers,
     ) {
-        let blocks = search.particles.len().div_ceil(BLOCK);
+        let blocks = search.discs.count().div_ceil(BLOCK);
         let sorted = match levels {
             [level] if level.is_as_stored() => None,
             _ => Some(search.find_all(levels, workers)),
         };
         let find = |block: usize, pairs: &mut Vec<[u32; 2]>| {
-            let places = block * BLOCK..((block + 1) * BLOCK).min(search.particles.len());
+            let places = block * BLOCK..((block + 1) * BLOCK).min(search.discs.count());
             match &sorted {
                 None => search.find(levels, places, pairs),
                 Some(sorted) => {
@@ -88,8 +88,7 @@ impl NeighbourList {
             self.span /= 2;
             let span = self.span;
             let at_edge = |place: u32| {
-                let position = search.particles[place as usize].position;
-                boundary.is_at_edge(position, search.skin)
+                boundary.is_at_edge(search.discs.at(place as usize).0, search.skin)
             };
             let is_far =
                 |a: u32, b: u32| b - a > span || !boundary.is_open() && (at_edge(a) || at_edge(b));

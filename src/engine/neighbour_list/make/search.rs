@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
+use glam::DVec2;
+
 use crate::engine::block::BLOCK;
 use crate::engine::cells::sort_by_key;
 use crate::engine::levels::{Around, Level, Run};
+use crate::engine::sizes::Extents;
 use crate::engine::workers::Workers;
-use crate::particle::Particle;
 
 /// Discs of a level that one thread looks at in one go.
 const DISCS_AT_A_TIME: usize = 4096;
@@ -14,26 +16,27 @@ const DISCS_AT_A_TIME: usize = 4096;
 /// A search among discs as they are stored.
 #[derive(Clone, Copy)]
 pub(in crate::engine::neighbour_list) struct Search<'a> {
-    pub particles: &'a [Particle],
+    pub discs: Extents<'a>,
     /// Pairs closer than touching and this are near, m.
     pub skin: f64,
 }
 
 impl Search<'_> {
     /// Tells `of` which discs may be near each of `discs`, of the first of `levels`: those ahead of it in
-    /// its own level, and those around it in coarser ones. It is told where the disc is stored, too.
+    /// its own level, and those around it in coarser ones. It is told where the disc is stored, where it is
+    /// and its radius, too.
     #[inline(always)]
     pub fn each_run(
         &self,
         levels: &[Level],
         discs: Range<usize>,
-        mut of: impl FnMut(usize, &Particle, Run),
+        mut of: impl FnMut(usize, (DVec2, f64), Run),
     ) {
         let Some((own, coarser)) = levels.split_first() else { return };
         let mut around = vec![Around::default(); coarser.len()];
         own.each_ahead(discs, |disc, ahead| {
             let place = own.place(disc);
-            let p = &self.particles[place];
+            let p = self.discs.at(place);
             let [beside, above] = ahead;
             for run in [beside, above] {
                 if run.count() > 0 {
@@ -41,7 +44,7 @@ impl Search<'_> {
                 }
             }
             for (level, around) in coarser.iter().zip(&mut around) {
-                for run in level.around(p.position, around) {
+                for run in level.around(p.0, around) {
                     if run.count() > 0 {
                         of(place, p, run);
                     }
@@ -58,20 +61,19 @@ impl Search<'_> {
     #[inline(always)]
     pub fn find(&self, levels: &[Level], discs: Range<usize>, pairs: &mut Vec<[u32; 2]>) {
         let mut found = 0;
-        self.each_run(levels, discs, |place, p, run| {
+        self.each_run(levels, discs, |place, (position, radius), run| {
             let room = found + run.count();
             if pairs.len() < room {
                 pairs.resize(2 * room.max(BLOCK), [0; 2]);
             }
             let pairs = &mut pairs[found..room];
             let mut near = 0;
-            let reach = p.radius + self.skin;
-            let mut look = |other: usize, q: &Particle| {
-                let reach = reach + q.radius;
+            let reach = radius + self.skin;
+            run.each(self.discs, |other, its_position, its_radius| {
+                let reach = reach + its_radius;
                 pairs[near] = [place.min(other) as u32, place.max(other) as u32];
-                near += usize::from(p.position.distance_squared(q.position) < reach * reach);
-            };
-            run.each(self.particles, &mut look);
+                near += usize::from(position.distance_squared(its_position) < reach * reach);
+            });
             found += near;
         });
         pairs.truncate(found);
