@@ -87,9 +87,8 @@ impl NeighbourList {
         while self.ring_length > LONGEST_RING {
             self.span /= 2;
             let span = self.span;
-            let at_edge = |place: u32| {
-                boundary.is_at_edge(search.discs.at(place as usize).0, search.skin)
-            };
+            let at_edge =
+                |place: u32| boundary.is_at_edge(search.discs.at(place as usize).0, search.skin);
             let is_far =
                 |a: u32, b: u32| b - a > span || !boundary.is_open() && (at_edge(a) || at_edge(b));
             self.list_blocks(blocks, find, is_far, workers);
