@@ -4,132 +4,114 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::cells::{Grid, sort_by_key};
+use super::cells::{Grid, InCells};
+use super::phase::Phase;
 use super::sizes::{Extents, Sizes};
 use super::workers::Workers;
 
 /// Discs of about one size, sorted by cells so wide that two near ones are in cells that touch.
 pub(super) struct Level {
-    grid: Grid,
-    /// The cells of its discs, ascending.
-    keys: Vec<u64>,
-    /// Where these discs are stored; none if they are all there are, in the order in which they are stored.
-    places: Option<Vec<u32>>,
+    cells: InCells,
+    /// Its discs in this order; none if they are all there are, in the order in which they are stored.
+    sorted: Option<Sorted>,
 }
 
-/// Discs of a level that follow each other.
-pub(super) enum Run<'a> {
-    /// Stored one after the other.
-    Stored(Range<usize>),
-    /// Stored at these places.
-    At(&'a [u32]),
-}
-
-impl Run<'_> {
-    /// How many there are.
-    pub fn count(&self) -> usize {
-        match self {
-            Self::Stored(places) => places.len(),
-            Self::At(places) => places.len(),
-        }
-    }
-
-    /// Tells `of` where each is stored, where it is and its radius (m).
-    #[inline(always)]
-    pub fn each(self, discs: Extents, mut of: impl FnMut(usize, DVec2, f64)) {
-        match self {
-            Self::Stored(places) => {
-                let here = discs.phases[places.clone()].iter().zip(&discs.radii[places.clone()]);
-                for (place, (p, radius)) in places.zip(here) {
-                    of(place, p.position(), *radius);
-                }
-            }
-            Self::At(places) => {
-                for &place in places {
-                    let (position, radius) = discs.at(place as usize);
-                    of(place as usize, position, radius);
-                }
-            }
-        }
-    }
+/// Discs in the order of a level.
+struct Sorted {
+    /// Where they are stored.
+    places: Vec<u32>,
+    phases: Vec<Phase>,
+    radii: Vec<f64>, // m
 }
 
 impl Level {
-    /// All discs as one level of near pairs within `skin` (m) of touching.
-    pub fn of_all(discs: Extents, sizes: &Sizes, skin: f64, workers: &Workers) -> Self {
-        let grid = Grid::new(sizes, 2.0 * sizes.largest_radius + skin);
+    /// All `discs`, in cells of `grid`.
+    fn of_all(discs: Extents, grid: Grid, workers: &Workers) -> Self {
         let keys = grid.keys(discs.phases, workers);
-        Self { grid, keys, places: None }.sorted()
+        Self::sorted(discs, &keys, grid, |k| k)
     }
 
-    fn sorted(mut self) -> Self {
-        if !self.keys.is_sorted() {
-            let keys = &self.keys;
-            let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-            sort_by_key(&mut order, |k| keys[*k as usize]);
-            self.places = Some(match &self.places {
-                None => order.clone(),
-                Some(places) => order.iter().map(|&k| places[k as usize]).collect(),
-            });
-            self.keys = order.iter().map(|&k| keys[k as usize]).collect();
-        }
-        self
+    /// Those of `discs` that are stored at these places, in cells of `grid`.
+    fn of_some(discs: Extents, places: &[u32], grid: Grid) -> Self {
+        let key = |&place: &u32| grid.key(discs.phases[place as usize].position());
+        let keys: Vec<u64> = places.iter().map(key).collect();
+        Self::sorted(discs, &keys, grid, |k| places[k as usize])
+    }
+
+    /// Discs that are in cells of these keys and stored where `place` says.
+    fn sorted(discs: Extents, keys: &[u64], grid: Grid, place: impl Fn(u32) -> u32) -> Self {
+        let (order, starts) = grid.sort(keys);
+        let keys = order.iter().map(|&k| keys[k as usize]).collect();
+        let places: Vec<u32> = order.into_iter().map(place).collect();
+        let phases = places.iter().map(|&place| discs.phases[place as usize]).collect();
+        let radii = places.iter().map(|&place| discs.radii[place as usize]).collect();
+        Self { cells: InCells { grid, keys, starts }, sorted: Some(Sorted { places, phases, radii }) }
     }
 
     /// Number of discs.
     pub fn count(&self) -> usize {
-        self.keys.len()
+        self.cells.keys.len()
     }
 
     /// Whether they are all there are, in the order in which they are stored.
     pub fn is_as_stored(&self) -> bool {
-        self.places.is_none()
+        self.sorted.is_none()
     }
 
     /// Where a disc of it is stored.
+    #[inline(always)]
     pub fn place(&self, disc: usize) -> usize {
-        self.places.as_ref().map_or(disc, |places| places[disc] as usize)
+        self.sorted.as_ref().map_or(disc, |sorted| sorted.places[disc] as usize)
     }
 
-    fn run(&self, discs: Range<usize>) -> Run<'_> {
-        match &self.places {
-            None => Run::Stored(discs),
-            Some(places) => Run::At(&places[discs]),
+    /// Its discs in its order; `stored` are all as they are stored.
+    #[inline(always)]
+    pub fn discs<'a>(&'a self, stored: Extents<'a>) -> Extents<'a> {
+        match &self.sorted {
+            None => stored,
+            Some(Sorted { phases, radii, .. }) => Extents { phases, radii },
+        }
+    }
+
+    /// Where the cell of this key begins, or would.
+    fn start(&self, key: u64) -> usize {
+        match self.cells.starts.are_known() {
+            true => self.cells.starts.of_cell(key),
+            false => self.cells.keys.partition_point(|other| *other < key),
         }
     }
 
     /// Tells `of`, for each of `discs`, which follow it in cells that touch its own: two runs.
     #[inline(always)]
-    pub fn each_ahead(&self, discs: Range<usize>, mut of: impl FnMut(usize, [Run<'_>; 2])) {
-        let Some(&first) = self.keys.get(discs.start) else { return };
-        let row = self.grid.row;
-        let from = |key: u64| self.keys.partition_point(|other| *other < key);
-        let [mut right, mut above, mut end] =
-            [first + 2, first + row - 1, first + row + 2].map(from);
-        let go_to = |at: &mut usize, key: u64| {
-            while self.keys.get(*at).is_some_and(|other| *other < key) {
-                *at += 1;
+    pub fn each_ahead(&self, discs: Range<usize>, mut of: impl FnMut(usize, [Range<usize>; 2])) {
+        let Some(&first) = self.cells.keys.get(discs.start) else { return };
+        // To the right in its own row, and from the left to the right above.
+        let ends = |key: u64| [key + 2, key + self.cells.grid.row - 1, key + self.cells.grid.row + 2];
+        let mut at = ends(first).map(|key| self.start(key));
+        let go_to = |at: &mut usize, key: u64| match self.cells.starts.are_known() {
+            true => *at = self.cells.starts.of_cell(key),
+            false => {
+                while self.cells.keys.get(*at).is_some_and(|other| *other < key) {
+                    *at += 1;
+                }
             }
         };
-        for (disc, &key) in discs.clone().zip(&self.keys[discs]) {
-            go_to(&mut right, key + 2);
-            go_to(&mut above, key + row - 1);
-            go_to(&mut end, key + row + 2);
-            of(disc, [self.run(disc + 1..right), self.run(above..end)]);
+        for (disc, &key) in discs.clone().zip(&self.cells.keys[discs]) {
+            at.iter_mut().zip(ends(key)).for_each(|(at, key)| go_to(at, key));
+            of(disc, [disc + 1..at[0], at[1]..at[2]]);
         }
     }
 
     /// Those in the cell of `position` and in cells that touch it: three runs. `around` keeps what was
     /// found last.
-    pub fn around<'a>(&'a self, position: DVec2, around: &mut Around) -> [Run<'a>; 3] {
-        let key = self.grid.key(position);
+    pub fn around(&self, position: DVec2, around: &mut Around) -> [Range<usize>; 3] {
+        let key = self.cells.grid.key(position);
         if around.key != key {
-            let from = |key: u64| self.keys.partition_point(|other| *other < key);
-            let run = |key: u64| [from(key - 1), from(key + 2)];
-            let row = self.grid.row;
+            let run = |key: u64| [self.start(key - 1), self.start(key + 2)];
+            let row = self.cells.grid.row;
             *around = Around { key, runs: [key - row, key, key + row].map(run) };
         }
-        around.runs.map(|[start, end]| self.run(start..end))
+        around.runs.map(|[start, end]| start..end)
     }
 }
 
@@ -142,21 +124,27 @@ pub(super) struct Around {
 
 /// Levels of near pairs within `skin` (m) of touching, finest first: discs of one level have radii within
 /// a factor of 2 (Krijgsman, Ogarko and Luding 2014), so that small ones are not looked for in cells for
-/// large ones.
-pub(super) fn levels(discs: Extents, sizes: &Sizes, skin: f64, workers: &Workers) -> Vec<Level> {
+/// large ones. Discs may be `stored` in cells for the [`usual_radius`].
+pub(super) fn levels(
+    discs: Extents,
+    sizes: &Sizes,
+    skin: f64,
+    stored: Option<InCells>,
+    workers: &Workers,
+) -> Vec<Level> {
     if is_one_level(sizes, skin) {
-        return vec![Level::of_all(discs, sizes, skin, workers)];
+        let grid = Grid::new(sizes, 2.0 * sizes.largest_radius + skin);
+        let as_stored = |cells| Level { cells, sorted: None };
+        return vec![stored.map_or_else(|| Level::of_all(discs, grid, workers), as_stored)];
     }
     let mut members = vec![Vec::new(); LEVELS];
     for (place, radius) in (0..).zip(discs.radii) {
         members[level_of(*radius, sizes)].push(place);
     }
     let level = |places: Vec<u32>| {
-        let discs = || places.iter().map(|&place| discs.at(place as usize));
-        let largest_radius = discs().map(|(_, radius)| radius).fold(0.0, f64::max);
-        let grid = Grid::new(sizes, 2.0 * largest_radius + skin);
-        let keys = discs().map(|(position, _)| grid.key(position)).collect();
-        Level { grid, keys, places: Some(places) }.sorted()
+        let radii = places.iter().map(|&place| discs.radii[place as usize]);
+        let grid = Grid::new(sizes, 2.0 * radii.fold(0.0, f64::max) + skin);
+        Level::of_some(discs, &places, grid)
     };
     members.into_iter().filter(|places| !places.is_empty()).map(level).collect()
 }

@@ -1,7 +1,5 @@
 //! How discs are stored and near pairs listed.
 
-use glam::DVec2;
-
 use super::block::BLOCK;
 use super::cells::{Grid, put_in_order};
 use super::levels::usual_radius;
@@ -43,8 +41,10 @@ impl<I: Interaction> Engine<I> {
         let skin = widest_skin(&sizes, travel);
         let grid = Grid::new(&sizes, 2.0 * usual_radius(&radii, &sizes, skin) + skin);
         drop(radii);
-        self.store(&mut grid.order(&self.phases, ids, &self.workers));
-        self.make_list(|list, listed, workers| list.make(listed, &sizes, travel, workers));
+        let (mut order, stored) = grid.order(&self.phases, ids, &self.workers);
+        self.store(&mut order);
+        drop(order);
+        self.make_list(|list, listed, workers| list.make(listed, &sizes, stored, travel, workers));
     }
 
     /// Half of the distance of centres up to which each disc acts on its like, m, or its radius if that is more.
@@ -69,14 +69,9 @@ impl<I: Interaction> Engine<I> {
     fn make_list(&mut self, make: impl FnOnce(&mut NeighbourList, Listed, &Workers)) {
         let radii = &self.ranges()[..];
         let Self { phases, planes, walls, boundary, list, workers, .. } = self;
-        let time = self.moment.of_forces();
-        let is_at_wall = |position: DVec2, reach: f64| {
-            planes.iter().any(|plane| plane.distance(position) < reach)
-                || walls.iter().any(|wall| wall.nearest(position, time).distance < reach)
-        };
         let (discs, ids) = (Extents { phases, radii }, &self.columns.ids[..]);
-        let listed = Listed { discs, ids, boundary: *boundary, is_at_wall: &is_at_wall };
-        make(list, listed, workers);
+        let (boundary, time) = (*boundary, self.moment.of_forces());
+        make(list, Listed { discs, ids, boundary, planes, walls, time }, workers);
         self.after_listing();
     }
 

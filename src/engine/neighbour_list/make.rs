@@ -7,6 +7,9 @@ mod parts;
 mod search;
 
 pub(super) use self::search::Search;
+use std::ops::Range;
+use std::sync::Arc;
+
 use glam::DVec2;
 
 use super::NeighbourList;
@@ -14,10 +17,13 @@ use super::skin::{best_skin, widest_skin};
 use crate::boundary::Boundary;
 use crate::discs::columns::Columns;
 use crate::engine::block::BLOCK;
+use crate::engine::cells::InCells;
 use crate::engine::levels::{Level, levels};
 use crate::engine::phase::Phase;
 use crate::engine::sizes::{Extents, Sizes};
 use crate::engine::workers::Workers;
+use crate::force::HalfPlane;
+use crate::wall::Wall;
 
 /// What a list is made of.
 #[derive(Clone, Copy)]
@@ -26,16 +32,50 @@ pub(in crate::engine) struct Listed<'a> {
     pub discs: Extents<'a>,
     pub ids: &'a [u32],
     pub boundary: Boundary,
-    /// Whether a wall is closer to a position than this (m).
-    pub is_at_wall: &'a (dyn Fn(DVec2, f64) -> bool + Sync),
+    /// Walls, and when they are looked at, s.
+    pub planes: &'a [HalfPlane],
+    pub walls: &'a [Arc<dyn Wall>],
+    pub time: f64,
+}
+
+impl Listed<'_> {
+    /// Whether the disc stored at `place` may touch a wall once it has come closer by `skin` (m).
+    fn is_at_wall(&self, place: usize, skin: f64) -> bool {
+        let (position, radius) = self.discs.at(place);
+        let is_near = |distance: f64| distance < radius + skin;
+        self.planes.iter().any(|plane| is_near(plane.distance(position)))
+            || self.walls.iter().any(|wall| is_near(wall.nearest(position, self.time).distance))
+    }
+
+    /// Whether one of those stored at `places` might: false only if no plane is near the box around them. Rounding keeps
+    /// the order of distances, so that none of them is nearer than the corner.
+    fn has_wall_near(&self, places: Range<usize>, skin: f64) -> bool {
+        let (mut low, mut high, mut largest) = (DVec2::INFINITY, DVec2::NEG_INFINITY, 0.0_f64);
+        for (position, radius) in places.map(|place| self.discs.at(place)) {
+            (low, high) = (low.min(position), high.max(position));
+            largest = largest.max(radius);
+        }
+        let is_clear = |plane: &HalfPlane| {
+            let corner = DVec2::select(plane.normal.cmpgt(DVec2::ZERO), high, low);
+            plane.distance(corner) >= largest + skin // false if one is no number
+        };
+        !self.walls.is_empty() || !self.planes.iter().all(is_clear)
+    }
 }
 
 impl NeighbourList {
-    /// A new list, for discs of these `sizes`, stored cell by cell, of which the fastest goes `travel` m a step.
-    pub fn make(&mut self, listed: Listed, sizes: &Sizes, travel: f64, workers: &Workers) {
+    /// A new list, for discs of these `sizes`, `stored` cell by cell, of which the fastest goes `travel` m a step.
+    pub fn make(
+        &mut self,
+        listed: Listed,
+        sizes: &Sizes,
+        stored: InCells,
+        travel: f64,
+        workers: &Workers,
+    ) {
         let discs = listed.discs;
         let widest = widest_skin(sizes, travel);
-        let levels = levels(discs, sizes, widest, workers);
+        let levels = levels(discs, sizes, widest, Some(stored), workers);
         let search = Search { discs, skin: widest };
         self.skin = best_skin(search, &levels, sizes, travel, workers);
         self.list(listed, &levels, self.skin, workers);
@@ -58,7 +98,7 @@ impl NeighbourList {
     pub fn list_anywhere(&mut self, listed: Listed, workers: &Workers) {
         let skin = 2.0 * self.skin;
         let sizes = Sizes::of(listed.discs, listed.ids, workers);
-        let levels = levels(listed.discs, &sizes, skin, workers);
+        let levels = levels(listed.discs, &sizes, skin, None, workers);
         self.list(listed, &levels, skin, workers);
     }
 
@@ -72,16 +112,16 @@ impl NeighbourList {
     }
 
     fn list_at_wall(&mut self, listed: Listed, skin: f64, workers: &Workers) {
-        let Listed { discs, is_at_wall, .. } = listed;
+        let discs = listed.discs;
         let mut blocks = vec![Vec::new(); discs.count().div_ceil(BLOCK)];
         workers.pieces(&mut blocks, |first, blocks| {
             let places = (first * BLOCK..discs.count()).step_by(BLOCK);
             for (block, first) in blocks.iter_mut().zip(places) {
-                let near = (first..(first + BLOCK).min(discs.count())).filter(|&place| {
-                    let (position, radius) = discs.at(place);
-                    is_at_wall(position, radius + skin)
-                });
-                block.extend(near.map(|place| place as u32));
+                let places = first..(first + BLOCK).min(discs.count());
+                if listed.has_wall_near(places.clone(), skin) {
+                    let near = places.filter(|&place| listed.is_at_wall(place, skin));
+                    block.extend(near.map(|place| place as u32));
+                }
             }
         });
         self.at_wall.clear();

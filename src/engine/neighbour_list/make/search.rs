@@ -3,15 +3,37 @@
 use std::ops::Range;
 
 use glam::DVec2;
+use wide::{CmpLt, f64x4};
 
 use crate::engine::block::BLOCK;
 use crate::engine::cells::sort_by_key;
-use crate::engine::levels::{Around, Level, Run};
+use crate::engine::levels::{Around, Level};
+use crate::engine::phase::Phase;
 use crate::engine::sizes::Extents;
 use crate::engine::workers::Workers;
 
 /// Discs of a level that one thread looks at in one go.
 const DISCS_AT_A_TIME: usize = 4096;
+
+/// Discs of a run that are looked at in one go.
+const LANES: usize = 4;
+
+/// Which of four bits are set, lowest first, and some more; and how many.
+const NEAR_ONES: [([u32; LANES], usize); 1 << LANES] = {
+    let mut ones = [([0; LANES], 0); 1 << LANES];
+    let mut bits = 0;
+    while bits < ones.len() {
+        let (ones, many) = &mut ones[bits];
+        let mut bit = 0;
+        while bit < LANES {
+            ones[*many] = bit as u32;
+            *many += bits >> bit & 1;
+            bit += 1;
+        }
+        bits += 1;
+    }
+    ones
+};
 
 /// A search among discs as they are stored.
 #[derive(Clone, Copy)]
@@ -30,53 +52,87 @@ impl Search<'_> {
         &self,
         levels: &[Level],
         discs: Range<usize>,
-        mut of: impl FnMut(usize, (DVec2, f64), Run),
+        mut of: impl FnMut(usize, (DVec2, f64), &Level, Range<usize>),
     ) {
         let Some((own, coarser)) = levels.split_first() else { return };
         let mut around = vec![Around::default(); coarser.len()];
-        own.each_ahead(discs, |disc, ahead| {
-            let place = own.place(disc);
-            let p = self.discs.at(place);
-            let [beside, above] = ahead;
-            for run in [beside, above] {
-                if run.count() > 0 {
-                    of(place, p, run);
-                }
-            }
-            for (level, around) in coarser.iter().zip(&mut around) {
-                for run in level.around(p.0, around) {
-                    if run.count() > 0 {
-                        of(place, p, run);
+        own.each_ahead(
+            discs,
+            #[inline(always)]
+            |disc, [beside, above]| {
+                let place = own.place(disc);
+                let p = own.discs(self.discs).at(disc);
+                of(place, p, own, beside);
+                of(place, p, own, above);
+                for (level, around) in coarser.iter().zip(&mut around) {
+                    for run in level.around(p.0, around).into_iter().filter(|run| !run.is_empty()) {
+                        of(place, p, level, run);
                     }
                 }
-            }
-        });
+            },
+        );
     }
 
     /// Puts the near pairs of `discs` with others into `pairs`, in place of what was there: the places, the lower
     /// first.
-    ///
-    /// Every pair looked at is written down, and the next one over it if it is not near: whether it is cannot be
-    /// guessed, and a wrong guess costs more than a pair.
     #[inline(always)]
     pub fn find(&self, levels: &[Level], discs: Range<usize>, pairs: &mut Vec<[u32; 2]>) {
         let mut found = 0;
-        self.each_run(levels, discs, |place, (position, radius), run| {
-            let room = found + run.count();
-            if pairs.len() < room {
-                pairs.resize(2 * room.max(BLOCK), [0; 2]);
-            }
-            let pairs = &mut pairs[found..room];
-            let mut near = 0;
-            let reach = radius + self.skin;
-            run.each(self.discs, |other, its_position, its_radius| {
-                let reach = reach + its_radius;
-                pairs[near] = [place.min(other) as u32, place.max(other) as u32];
-                near += usize::from(position.distance_squared(its_position) < reach * reach);
-            });
-            found += near;
-        });
+        self.each_run(
+            levels,
+            discs,
+            #[inline(always)]
+            |place, p, level, run| {
+                let room = found + run.len() + LANES;
+                if pairs.len() < room {
+                    pairs.resize(2 * room.max(BLOCK), [0; 2]);
+                }
+                let pairs = &mut pairs[found..room];
+                let near = self.look(place, p, level, run, pairs);
+                if !level.is_as_stored() {
+                    for pair in &mut pairs[..near] {
+                        let other = level.place(pair[1] as usize) as u32;
+                        *pair = [pair[0].min(other), pair[0].max(other)];
+                    }
+                }
+                found += near;
+            },
+        );
         pairs.truncate(found);
+    }
+
+    /// Which of a run of a level's discs are near the one at `place`: puts the pairs there, and says how many. There has to
+    /// be room for [`LANES`] more than come.
+    ///
+    /// Whether a pair is near cannot be guessed, and a wrong guess costs more than a pair: so four are looked at in one go,
+    /// whatever comes after the run, and four are written down, the near ones first.
+    #[inline(always)]
+    fn look(
+        &self,
+        place: usize,
+        (position, radius): (DVec2, f64),
+        level: &Level,
+        run: Range<usize>,
+        pairs: &mut [[u32; 2]],
+    ) -> usize {
+        let discs = level.discs(self.discs);
+        let reach = radius + self.skin;
+        let (mut first, mut found) = (run.start, 0);
+        while first < run.end {
+            let four = first..first + LANES;
+            let is_near = match (discs.phases.get(four.clone()), discs.radii.get(four)) {
+                (Some([a, b, c, d]), Some([e, f, g, h])) => {
+                    are_near(position, reach, [a, b, c, d], [*e, *f, *g, *h])
+                }
+                _ => last_are_near(position, reach, discs, first),
+            };
+            let (near_ones, many) = NEAR_ONES[is_near & ((1 << (run.end - first).min(LANES)) - 1)];
+            let near = near_ones.map(|k| [place as u32, first as u32 + k]);
+            pairs[found..found + LANES].copy_from_slice(&near);
+            found += many;
+            first += LANES;
+        }
+        found
     }
 
     /// All near pairs, ascending, of discs that are of several levels or not stored by cells.
@@ -101,4 +157,22 @@ impl Search<'_> {
         pairs.chunk_by_mut(|a, b| a[0] == b[0]).for_each(|of_one| of_one.sort_unstable());
         pairs
     }
+}
+
+/// Which of four discs of these radii (m) are so near, a bit each: centres closer than `reach` (m) and the radius.
+#[inline(always)]
+fn are_near(position: DVec2, reach: f64, phases: [&Phase; LANES], radii: [f64; LANES]) -> usize {
+    let of = |coordinate: usize| f64x4::new(phases.map(|p| p.0[coordinate]));
+    let (dx, dy) = (f64x4::splat(position.x) - of(0), f64x4::splat(position.y) - of(1));
+    let reach = f64x4::splat(reach) + f64x4::new(radii);
+    (dx * dx + dy * dy).cmp_lt(reach * reach).move_mask() as usize
+}
+
+/// The same of the last ones, fewer than four.
+#[cold]
+#[inline(never)]
+fn last_are_near(position: DVec2, reach: f64, discs: Extents, first: usize) -> usize {
+    let last = first..discs.count();
+    let is_near = |(disc, radius)| position.distance_squared(disc) < (reach + radius) * (reach + radius);
+    last.map(|k| usize::from(is_near(discs.at(k))) << (k - first)).sum()
 }
