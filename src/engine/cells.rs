@@ -14,7 +14,7 @@ use super::workers::Workers;
 const CELLS_AROUND: f64 = (1_u64 << 30) as f64;
 
 /// Cells are wider than asked for by this much, for the rounding of those 22 bits.
-const MARGIN: f64 = 1e-5;
+pub(super) const MARGIN: f64 = 1e-5;
 
 /// Cells of which a table is made, for each disc, at most.
 const CELLS_PER_DISC: usize = 4;
@@ -24,7 +24,7 @@ const DIGIT: u32 = 11;
 
 /// Square cells over all discs. Keys ascend along the shorter side of where most discs are, so that
 /// neighbours in the next row lie near in memory.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Grid {
     corner: DVec2, // m
     per_metre: f64,
@@ -99,7 +99,9 @@ impl Grid {
     pub fn sort(&self, keys: &[u64]) -> (Vec<u32>, Starts) {
         let starts = Starts::of(self, keys);
         let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-        if starts.are_known() {
+        if keys.is_sorted() {
+            // They are in order.
+        } else if starts.are_known() {
             let mut next = starts.0.clone();
             for (disc, key) in (0..).zip(keys) {
                 let next = &mut next[*key as usize];

@@ -4,14 +4,15 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::cells::{Grid, InCells};
+use super::cells::{Grid, InCells, MARGIN};
 use super::phase::Phase;
 use super::sizes::{Extents, Sizes};
-use super::workers::Workers;
 
 /// Discs of about one size, sorted by cells so wide that two near ones are in cells that touch.
 pub(super) struct Level {
     cells: InCells,
+    /// The largest radius, m.
+    pub largest_radius: f64,
     /// Its discs in this order; none if they are all there are, in the order in which they are stored.
     sorted: Option<Sorted>,
 }
@@ -25,27 +26,32 @@ struct Sorted {
 }
 
 impl Level {
-    /// All `discs`, in cells of `grid`.
-    fn of_all(discs: Extents, grid: Grid, workers: &Workers) -> Self {
-        let keys = grid.keys(discs.phases, workers);
-        Self::sorted(discs, &keys, grid, |k| k)
-    }
-
-    /// Those of `discs` that are stored at these places, in cells of `grid`.
-    fn of_some(discs: Extents, places: &[u32], grid: Grid) -> Self {
-        let key = |&place: &u32| grid.key(discs.phases[place as usize].position());
-        let keys: Vec<u64> = places.iter().map(key).collect();
-        Self::sorted(discs, &keys, grid, |k| places[k as usize])
-    }
-
-    /// Discs that are in cells of these keys and stored where `place` says.
-    fn sorted(discs: Extents, keys: &[u64], grid: Grid, place: impl Fn(u32) -> u32) -> Self {
-        let (order, starts) = grid.sort(keys);
+    /// Those of `discs` that are stored at these `places`, the largest of this radius (m), in cells for a `skin` (m).
+    /// Discs may be `stored` in cells of the same grid.
+    fn of_some(
+        discs: Extents,
+        places: &[u32],
+        largest_radius: f64,
+        (sizes, skin): (&Sizes, f64),
+        stored: Option<&InCells>,
+    ) -> Self {
+        let grid = Grid::new(sizes, 2.0 * largest_radius + skin);
+        let keys: Vec<u64> = match stored {
+            Some(cells) if cells.grid == grid => {
+                places.iter().map(|&place| cells.keys[place as usize]).collect()
+            }
+            _ => {
+                let position = |&place: &u32| discs.phases[place as usize].position();
+                places.iter().map(|place| grid.key(position(place))).collect()
+            }
+        };
+        let (order, starts) = grid.sort(&keys);
         let keys = order.iter().map(|&k| keys[k as usize]).collect();
-        let places: Vec<u32> = order.into_iter().map(place).collect();
+        let places: Vec<u32> = order.into_iter().map(|k| places[k as usize]).collect();
         let phases = places.iter().map(|&place| discs.phases[place as usize]).collect();
         let radii = places.iter().map(|&place| discs.radii[place as usize]).collect();
-        Self { cells: InCells { grid, keys, starts }, sorted: Some(Sorted { places, phases, radii }) }
+        let sorted = Some(Sorted { places, phases, radii });
+        Self { cells: InCells { grid, keys, starts }, largest_radius, sorted }
     }
 
     /// Number of discs.
@@ -86,7 +92,8 @@ impl Level {
     pub fn each_ahead(&self, discs: Range<usize>, mut of: impl FnMut(usize, [Range<usize>; 2])) {
         let Some(&first) = self.cells.keys.get(discs.start) else { return };
         // To the right in its own row, and from the left to the right above.
-        let ends = |key: u64| [key + 2, key + self.cells.grid.row - 1, key + self.cells.grid.row + 2];
+        let ends =
+            |key: u64| [key + 2, key + self.cells.grid.row - 1, key + self.cells.grid.row + 2];
         let mut at = ends(first).map(|key| self.start(key));
         let go_to = |at: &mut usize, key: u64| match self.cells.starts.are_known() {
             true => *at = self.cells.starts.of_cell(key),
@@ -100,6 +107,24 @@ impl Level {
             at.iter_mut().zip(ends(key)).for_each(|(at, key)| go_to(at, key));
             of(disc, [disc + 1..at[0], at[1]..at[2]]);
         }
+    }
+
+    /// Those less than `reach` (m) from `position`, and others about them: a run for each row of cells.
+    pub fn within(&self, reach: f64, position: DVec2) -> impl Iterator<Item = Range<usize>> {
+        let around = DVec2::splat(reach * (1.0 + MARGIN));
+        let [low, high] = [position - around, position + around].map(|at| self.cells.grid.key(at));
+        let row = self.cells.grid.row;
+        let columns = high % row - low % row;
+        let keys = (0..=high / row - low / row).map(move |above| low + above * row);
+        keys.map(move |key| self.start(key)..self.start(key + columns + 1))
+    }
+
+    /// Whether near pairs with discs of a `coarser` level are found faster from there, within a `skin` (m): each of those goes
+    /// through the rows of cells that it covers here, and finds none within itself; each of these through three rows there.
+    pub fn is_found_from(&self, coarser: &Self, skin: f64) -> bool {
+        let reach = coarser.largest_radius + skin + self.largest_radius;
+        let rows = 2.0 * reach / (2.0 * self.largest_radius + skin) + 2.0;
+        rows * (coarser.count() as f64) < 3.0 * self.count() as f64
     }
 
     /// Those in the cell of `position` and in cells that touch it: three runs. `around` keeps what was
@@ -130,23 +155,25 @@ pub(super) fn levels(
     sizes: &Sizes,
     skin: f64,
     stored: Option<InCells>,
-    workers: &Workers,
 ) -> Vec<Level> {
-    if is_one_level(sizes, skin) {
-        let grid = Grid::new(sizes, 2.0 * sizes.largest_radius + skin);
-        let as_stored = |cells| Level { cells, sorted: None };
-        return vec![stored.map_or_else(|| Level::of_all(discs, grid, workers), as_stored)];
-    }
-    let mut members = vec![Vec::new(); LEVELS];
-    for (place, radius) in (0..).zip(discs.radii) {
-        members[level_of(*radius, sizes)].push(place);
-    }
-    let level = |places: Vec<u32>| {
-        let radii = places.iter().map(|&place| discs.radii[place as usize]);
-        let grid = Grid::new(sizes, 2.0 * radii.fold(0.0, f64::max) + skin);
-        Level::of_some(discs, &places, grid)
+    let of_some = |places: &[u32], largest_radius: f64, stored: Option<&InCells>| {
+        Level::of_some(discs, places, largest_radius, (sizes, skin), stored)
     };
-    members.into_iter().filter(|places| !places.is_empty()).map(level).collect()
+    if is_one_level(sizes, skin) {
+        let largest_radius = sizes.largest_radius;
+        return vec![match stored {
+            Some(cells) => Level { cells, largest_radius, sorted: None },
+            None => of_some(&Vec::from_iter(0..discs.count() as u32), largest_radius, None),
+        }];
+    }
+    let mut members = vec![(Vec::new(), 0.0_f64); LEVELS];
+    for (place, &radius) in (0..).zip(discs.radii) {
+        let (places, largest) = &mut members[level_of(radius, sizes)];
+        places.push(place);
+        *largest = largest.max(radius);
+    }
+    members.retain(|(places, _)| !places.is_empty());
+    members.iter().map(|(places, largest)| of_some(places, *largest, stored.as_ref())).collect()
 }
 
 /// The largest radius, m, of those of the median disc's level: what cells of the order of storage follow.

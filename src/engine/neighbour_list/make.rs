@@ -75,7 +75,7 @@ impl NeighbourList {
     ) {
         let discs = listed.discs;
         let widest = widest_skin(sizes, travel);
-        let levels = levels(discs, sizes, widest, Some(stored), workers);
+        let levels = levels(discs, sizes, widest, Some(stored));
         let search = Search { discs, skin: widest };
         self.skin = best_skin(search, &levels, sizes, travel, workers);
         self.list(listed, &levels, self.skin, workers);
@@ -98,7 +98,7 @@ impl NeighbourList {
     pub fn list_anywhere(&mut self, listed: Listed, workers: &Workers) {
         let skin = 2.0 * self.skin;
         let sizes = Sizes::of(listed.discs, listed.ids, workers);
-        let levels = levels(listed.discs, &sizes, skin, None, workers);
+        let levels = levels(listed.discs, &sizes, skin, None);
         self.list(listed, &levels, skin, workers);
     }
 

@@ -80,16 +80,21 @@ fn count_by_skin(
     }
     workers.pieces(&mut pieces, |_, pieces| {
         for (k, discs, counts) in pieces {
-            search.each_run(&levels[*k..], discs.clone(), |_, (position, radius), level, run| {
-                for (its_position, its_radius) in run.map(|k| level.discs(search.discs).at(k)) {
-                    let reach = radius + its_radius;
-                    let squared = position.distance_squared(its_position);
-                    if squared < (reach + skins[last]) * (reach + skins[last]) {
-                        let gap = squared.sqrt() - reach;
-                        counts[skins[..last].iter().filter(|skin| gap >= **skin).count()] += 1;
+            search.each_run(
+                &levels[*k],
+                levels[*k + 1..].iter(),
+                discs.clone(),
+                |_, (position, radius), level, run| {
+                    for (its_position, its_radius) in run.map(|k| level.discs(search.discs).at(k)) {
+                        let reach = radius + its_radius;
+                        let squared = position.distance_squared(its_position);
+                        if squared < (reach + skins[last]) * (reach + skins[last]) {
+                            let gap = squared.sqrt() - reach;
+                            counts[skins[..last].iter().filter(|skin| gap >= **skin).count()] += 1;
+                        }
                     }
-                }
-            });
+                },
+            );
         }
     });
     let mut counts = [0; 12];

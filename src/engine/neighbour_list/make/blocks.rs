@@ -80,7 +80,7 @@ impl NeighbourList {
         let find = |block: usize, pairs: &mut Vec<[u32; 2]>| {
             let places = block * BLOCK..((block + 1) * BLOCK).min(search.discs.count());
             match &sorted {
-                None => search.find(levels, places, pairs),
+                None => search.find(levels, 0, places, pairs),
                 Some(sorted) => {
                     pairs.clear();
                     pairs.extend_from_slice(of_places(sorted, &places));

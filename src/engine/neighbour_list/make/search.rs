@@ -44,27 +44,25 @@ pub(in crate::engine::neighbour_list) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Tells `of` which discs may be near each of `discs`, of the first of `levels`: those ahead of it in
-    /// its own level, and those around it in coarser ones. It is told where the disc is stored, where it is
-    /// and its radius, too.
+    /// Tells `of` which discs may be near each of `discs`, of the level `own`: those ahead of it there, and those
+    /// around it in `coarser` ones. It is told where the disc is stored, where it is and its radius, too.
     #[inline(always)]
-    pub fn each_run(
+    pub fn each_run<'a>(
         &self,
-        levels: &[Level],
+        own: &Level,
+        coarser: impl Iterator<Item = &'a Level>,
         discs: Range<usize>,
         mut of: impl FnMut(usize, (DVec2, f64), &Level, Range<usize>),
     ) {
-        let Some((own, coarser)) = levels.split_first() else { return };
-        let mut around = vec![Around::default(); coarser.len()];
+        let mut coarser: Vec<_> = coarser.map(|level| (level, Around::default())).collect();
         own.each_ahead(
             discs,
             #[inline(always)]
             |disc, [beside, above]| {
-                let place = own.place(disc);
-                let p = own.discs(self.discs).at(disc);
+                let (place, p) = (own.place(disc), own.discs(self.discs).at(disc));
                 of(place, p, own, beside);
                 of(place, p, own, above);
-                for (level, around) in coarser.iter().zip(&mut around) {
+                for (level, around) in &mut coarser {
                     for run in level.around(p.0, around).into_iter().filter(|run| !run.is_empty()) {
                         of(place, p, level, run);
                     }
@@ -73,36 +71,39 @@ impl Search<'_> {
         );
     }
 
-    /// Puts the near pairs of `discs` with others into `pairs`, in place of what was there: the places, the lower
-    /// first.
+    /// Puts the near pairs of `discs`, of one of the `levels`, with others into `pairs`, in place of what was there: the
+    /// places, the lower first. Pairs of two levels are found from one of them.
     #[inline(always)]
-    pub fn find(&self, levels: &[Level], discs: Range<usize>, pairs: &mut Vec<[u32; 2]>) {
-        let mut found = 0;
+    pub fn find(
+        &self,
+        levels: &[Level],
+        level: usize,
+        discs: Range<usize>,
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let (own, mut found) = (&levels[level], 0);
+        let (finer, coarser) = (&levels[..level], &levels[level + 1..]);
+        for finer in finer.iter().filter(|finer| finer.is_found_from(own, self.skin)) {
+            for disc in discs.clone() {
+                let p = own.discs(self.discs).at(disc);
+                for run in finer.within(p.1 + self.skin + finer.largest_radius, p.0) {
+                    found += self.look(own.place(disc), p, finer, run, pairs, found);
+                }
+            }
+        }
+        let coarser = coarser.iter().filter(|coarser| !own.is_found_from(coarser, self.skin));
         self.each_run(
-            levels,
+            own,
+            coarser,
             discs,
             #[inline(always)]
-            |place, p, level, run| {
-                let room = found + run.len() + LANES;
-                if pairs.len() < room {
-                    pairs.resize(2 * room.max(BLOCK), [0; 2]);
-                }
-                let pairs = &mut pairs[found..room];
-                let near = self.look(place, p, level, run, pairs);
-                if !level.is_as_stored() {
-                    for pair in &mut pairs[..near] {
-                        let other = level.place(pair[1] as usize) as u32;
-                        *pair = [pair[0].min(other), pair[0].max(other)];
-                    }
-                }
-                found += near;
-            },
+            |place, p, level, run| found += self.look(place, p, level, run, pairs, found),
         );
         pairs.truncate(found);
     }
 
-    /// Which of a run of a level's discs are near the one at `place`: puts the pairs there, and says how many. There has to
-    /// be room for [`LANES`] more than come.
+    /// Which of a run of a level's discs are near the one at `place`: puts the pairs after the `found` ones, and says how
+    /// many.
     ///
     /// Whether a pair is near cannot be guessed, and a wrong guess costs more than a pair: so four are looked at in one go,
     /// whatever comes after the run, and four are written down, the near ones first.
@@ -113,10 +114,15 @@ impl Search<'_> {
         (position, radius): (DVec2, f64),
         level: &Level,
         run: Range<usize>,
-        pairs: &mut [[u32; 2]],
+        pairs: &mut Vec<[u32; 2]>,
+        found: usize,
     ) -> usize {
-        let discs = level.discs(self.discs);
-        let reach = radius + self.skin;
+        let room = found + run.len() + LANES;
+        if pairs.len() < room {
+            pairs.resize(2 * room.max(BLOCK), [0; 2]);
+        }
+        let pairs = &mut pairs[found..room];
+        let (discs, reach) = (level.discs(self.discs), radius + self.skin);
         let (mut first, mut found) = (run.start, 0);
         while first < run.end {
             let four = first..first + LANES;
@@ -132,6 +138,12 @@ impl Search<'_> {
             found += many;
             first += LANES;
         }
+        if !level.is_as_stored() {
+            for pair in &mut pairs[..found] {
+                let other = level.place(pair[1] as usize) as u32;
+                *pair = [pair[0].min(other), pair[0].max(other)];
+            }
+        }
         found
     }
 
@@ -142,14 +154,14 @@ impl Search<'_> {
             let starts = (0..level.count()).step_by(DISCS_AT_A_TIME);
             let piece = |start: usize| {
                 let discs = start..(start + DISCS_AT_A_TIME).min(level.count());
-                (&levels[k..], discs, Vec::new())
+                (k, discs, Vec::new())
             };
             found.extend(starts.map(piece));
         }
         workers.pieces(&mut found, |_, found| {
-            found.iter_mut().for_each(|(levels, discs, pairs)| {
-                self.find(levels, discs.clone(), pairs);
-            });
+            found
+                .iter_mut()
+                .for_each(|(k, discs, pairs)| self.find(levels, *k, discs.clone(), pairs));
         });
         let mut pairs: Vec<[u32; 2]> = Vec::new();
         found.into_iter().for_each(|(.., found)| pairs.extend_from_slice(&found));
@@ -173,6 +185,7 @@ fn are_near(position: DVec2, reach: f64, phases: [&Phase; LANES], radii: [f64; L
 #[inline(never)]
 fn last_are_near(position: DVec2, reach: f64, discs: Extents, first: usize) -> usize {
     let last = first..discs.count();
-    let is_near = |(disc, radius)| position.distance_squared(disc) < (reach + radius) * (reach + radius);
+    let is_near =
+        |(disc, radius)| position.distance_squared(disc) < (reach + radius) * (reach + radius);
     last.map(|k| usize::from(is_near(discs.at(k))) << (k - first)).sum()
 }
