@@ -200,6 +200,7 @@ pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::sizes::Extents;
 
     #[test]
     fn what_is_put_in_order_lies_where_the_order_says() {
@@ -238,17 +239,17 @@ mod tests {
             |place| if place.x < 0.01 { 1e12 * place } else { place },
         ];
         for kind in kinds {
-            let discs: Vec<_> =
-                (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
-            let ids: Vec<u32> = (0..400).collect();
-            let (reach, sizes) = (0.05, Sizes::of(&discs, &ids, &Workers::of(1)));
+            let places: Vec<_> = (0..400).map(|k| kind(spread(k))).collect();
+            let phases: Vec<_> = places.iter().map(|p| Phase::new(*p, DVec2::ZERO)).collect();
+            let (discs, ids) = (Extents { phases: &phases, radii: &[0.01; 400] }, &[0; 400]);
+            let (reach, sizes) = (0.05, Sizes::of(discs, ids, &Workers::of(1)));
             let grid = Grid::new(&sizes, reach);
-            for (k, p) in discs.iter().enumerate() {
-                let key = grid.key(p.position);
+            for (k, p) in places.iter().enumerate() {
+                let key = grid.key(*p);
                 let around = [key - grid.row, key, key + grid.row];
-                for q in &discs[..k] {
-                    let other = grid.key(q.position);
-                    let is_near = p.position.distance(q.position) < reach;
+                for q in &places[..k] {
+                    let other = grid.key(*q);
+                    let is_near = p.distance(*q) < reach;
                     let touch = around.iter().any(|key| other.abs_diff(*key) <= 1);
                     assert!(touch || !is_near, "{p:?} {q:?}");
                 }

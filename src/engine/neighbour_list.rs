@@ -7,6 +7,8 @@
 
 mod make;
 mod skin;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 

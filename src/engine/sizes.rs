@@ -154,19 +154,25 @@ pub(super) fn hash(number: u64) -> u64 {
 mod tests {
     use super::*;
 
-    fn ids(n: usize) -> Vec<u32> {
-        (0..n as u32).collect()
+    /// Discs at these positions, at rest and of these radii.
+    fn sizes_of(phases: &[Phase], radii: &[f64], threads: usize) -> Sizes {
+        let ids: Vec<u32> = (0..phases.len() as u32).collect();
+        Sizes::of(Extents { phases, radii }, &ids, &Workers::of(threads))
+    }
+
+    fn at_rest(position: DVec2) -> Phase {
+        Phase::new(position, DVec2::ZERO)
     }
 
     #[test]
     fn sizes_are_those_of_all_discs_on_any_number_of_threads() {
         // More than two blocks, and a part of one.
-        let mut discs: Vec<_> = (0..2 * BLOCK + 3)
-            .map(|k| Particle::at_rest(DVec2::new(-(k as f64), 1.0), 1.0 + (k % 2) as f64, 1.0))
-            .collect();
-        discs[200].velocity = DVec2::new(3.0, -4.0);
-        discs[201].position = DVec2::NAN;
-        let alone = Sizes::of(&discs, &ids(discs.len()), &Workers::of(1));
+        let places = (0..2 * BLOCK + 3).map(|k| DVec2::new(-(k as f64), 1.0));
+        let mut discs: Vec<_> = places.map(at_rest).collect();
+        let radii: Vec<_> = (0..discs.len()).map(|k| 1.0 + (k % 2) as f64).collect();
+        discs[200] = Phase::new(discs[200].position(), DVec2::new(3.0, -4.0));
+        discs[201] = at_rest(DVec2::NAN);
+        let alone = sizes_of(&discs, &radii, 1);
         let n = discs.len() as f64;
         assert_eq!((alone.smallest_radius, alone.largest_radius, alone.fastest), (1.0, 2.0, 5.0));
         assert_eq!((alone.low, alone.high), (DVec2::new(1.0 - n, 1.0), DVec2::new(0.0, 1.0)));
@@ -174,21 +180,16 @@ mod tests {
         assert_eq!(alone.mean_radius, (130.0 + 2.0 * 129.0) / n);
         assert_eq!(alone.areas, (130.0 + 4.0 * 129.0) * std::f64::consts::PI);
         for threads in [2, 3, 8] {
-            assert_eq!(
-                Sizes::of(&discs, &ids(discs.len()), &Workers::of(threads)),
-                alone,
-                "{threads} threads"
-            );
+            assert_eq!(sizes_of(&discs, &radii, threads), alone, "{threads} threads");
         }
     }
 
     #[test]
     fn the_middle_of_rows_of_1000_is_half_as_wide_and_half_as_high_as_all() {
         let row = |k: usize| DVec2::new((k % 1000) as f64, (k / 1000) as f64);
-        let mut discs: Vec<_> =
-            (0..100_000).map(|k| Particle::at_rest(row(k), 0.25, 1.0)).collect();
-        discs[77].position = DVec2::splat(1e9);
-        let sizes = Sizes::of(&discs, &ids(discs.len()), &Workers::of(1));
+        let mut discs: Vec<_> = (0..100_000).map(|k| at_rest(row(k))).collect();
+        discs[77] = at_rest(DVec2::splat(1e9));
+        let sizes = sizes_of(&discs, &vec![0.25; discs.len()], 1);
         let [width, height] = (sizes.middle[1] - sizes.middle[0]).to_array();
         // A quartile of 256 drawn numbers scatters by 3 %; both ends, and three times that, are 12 %.
         assert!((width / 500.0 - 1.0).abs() < 0.24, "{width}");
@@ -200,7 +201,7 @@ mod tests {
 
     #[test]
     fn of_no_discs_there_is_nothing() {
-        let sizes = Sizes::of(&[], &[], &Workers::of(2));
+        let sizes = sizes_of(&[], &[], 2);
         assert_eq!((sizes.largest_radius, sizes.mean_radius, sizes.fastest), (0.0, 0.0, 0.0));
     }
 }
