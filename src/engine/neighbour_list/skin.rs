@@ -84,8 +84,8 @@ fn count_by_skin(
                 &levels[*k],
                 levels[*k + 1..].iter(),
                 discs.clone(),
-                |_, (position, radius), level, run| {
-                    for (its_position, its_radius) in run.map(|k| level.discs(search.discs).at(k)) {
+                |_, (position, radius), (_, discs), run| {
+                    for (its_position, its_radius) in run.map(|k| discs.at(k)) {
                         let reach = radius + its_radius;
                         let squared = position.distance_squared(its_position);
                         if squared < (reach + skins[last]) * (reach + skins[last]) {

@@ -52,19 +52,20 @@ impl Search<'_> {
         own: &Level,
         coarser: impl Iterator<Item = &'a Level>,
         discs: Range<usize>,
-        mut of: impl FnMut(usize, (DVec2, f64), &Level, Range<usize>),
+        mut of: impl FnMut(usize, (DVec2, f64), (&Level, Extents), Range<usize>),
     ) {
+        let here = own.discs(self.discs);
         let mut coarser: Vec<_> = coarser.map(|level| (level, Around::default())).collect();
         own.each_ahead(
             discs,
             #[inline(always)]
             |disc, [beside, above]| {
-                let (place, p) = (own.place(disc), own.discs(self.discs).at(disc));
-                of(place, p, own, beside);
-                of(place, p, own, above);
+                let (place, p) = (own.place(disc), here.at(disc));
+                of(place, p, (own, here), beside);
+                of(place, p, (own, here), above);
                 for (level, around) in &mut coarser {
                     for run in level.around(p.0, around).into_iter().filter(|run| !run.is_empty()) {
-                        of(place, p, level, run);
+                        of(place, p, (level, level.discs(self.discs)), run);
                     }
                 }
             },
@@ -84,10 +85,11 @@ impl Search<'_> {
         let (own, mut found) = (&levels[level], 0);
         let (finer, coarser) = (&levels[..level], &levels[level + 1..]);
         for finer in finer.iter().filter(|finer| finer.is_found_from(own, self.skin)) {
+            let there = finer.discs(self.discs);
             for disc in discs.clone() {
                 let p = own.discs(self.discs).at(disc);
                 for run in finer.within(p.1 + self.skin + finer.largest_radius, p.0) {
-                    found += self.look(own.place(disc), p, finer, run, pairs, found);
+                    found += self.look(own.place(disc), p, (finer, there), run, pairs, found);
                 }
             }
         }
@@ -112,7 +114,7 @@ impl Search<'_> {
         &self,
         place: usize,
         (position, radius): (DVec2, f64),
-        level: &Level,
+        (level, discs): (&Level, Extents),
         run: Range<usize>,
         pairs: &mut Vec<[u32; 2]>,
         found: usize,
@@ -122,8 +124,7 @@ impl Search<'_> {
             pairs.resize(2 * room.max(BLOCK), [0; 2]);
         }
         let pairs = &mut pairs[found..room];
-        let (discs, reach) = (level.discs(self.discs), radius + self.skin);
-        let (mut first, mut found) = (run.start, 0);
+        let (reach, mut first, mut found) = (radius + self.skin, run.start, 0);
         while first < run.end {
             let four = first..first + LANES;
             let is_near = match (discs.phases.get(four.clone()), discs.radii.get(four)) {
