@@ -52,7 +52,7 @@ impl Listed<'_> {
     fn has_wall_near(&self, places: Range<usize>, skin: f64) -> bool {
         let (mut low, mut high, mut largest) = (DVec2::INFINITY, DVec2::NEG_INFINITY, 0.0_f64);
         for (position, radius) in places.map(|place| self.discs.at(place)) {
-            (low, high) = (low.min(position), high.max(position));
+            (low, high) = (position.min(low), position.max(high)); // in this order: NaN goes by
             largest = largest.max(radius);
         }
         let is_clear = |plane: &HalfPlane| {
@@ -137,5 +137,36 @@ impl NeighbourList {
         });
         let limit = 0.499 * self.skin; // a little less than half the skin, for rounding
         self.limit_squared = limit * limit;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::phase::Phase;
+
+    #[test]
+    fn every_disc_near_a_wall_is_listed_also_beside_one_that_is_nowhere() {
+        let golden = |k: usize| (0.618_033_988_749_895 * k as f64).fract();
+        let place = |k: usize| match k {
+            50 => DVec2::NAN,
+            60 => DVec2::new(f64::INFINITY, 0.5),
+            _ => DVec2::new(golden(k), 1.02 * k as f64 / 1000.0 - 0.01),
+        };
+        let phases: Vec<_> = (0..1000).map(|k| Phase::new(place(k), DVec2::ZERO)).collect();
+        let radii: Vec<_> = (0..1000).map(|k| 0.01 * (1.0 + golden(3 * k))).collect();
+        let ids: Vec<u32> = (0..1000).collect();
+        let leaning = HalfPlane { point: DVec2::splat(0.5), normal: DVec2::new(0.6, -0.8) };
+        for plane in HalfPlane::square(1.0).into_iter().chain([leaning]) {
+            let discs = Extents { phases: &phases, radii: &radii };
+            let boundary = Boundary::default();
+            let planes = &[plane];
+            let listed = Listed { discs, ids: &ids, boundary, planes, walls: &[], time: 0.0 };
+            let mut list = NeighbourList::default();
+            list.list_at_wall(listed, 0.005, &Workers::of(1));
+            let near = (0..1000).filter(|&k| plane.distance(place(k)) < radii[k] + 0.005);
+            assert_eq!(list.at_wall, near.map(|k| k as u32).collect::<Vec<_>>());
+            assert!((10..600).contains(&list.at_wall.len()), "{}", list.at_wall.len());
+        }
     }
 }
