@@ -1,7 +1,7 @@
 //! Square cells, each named by a key, and discs sorted by them.
 //!
-//! There is no table of cells: what is kept is the sorted keys of the discs. A few discs far away cost a
-//! few digits of the keys, and no cell becomes larger by them.
+//! What is kept is the sorted keys of the discs, and a table of cells only where these are not many more. A few
+//! discs far away cost a few digits of the keys, and no cell becomes larger by them.
 
 use glam::{DVec2, Vec2Swizzles};
 
