@@ -7,7 +7,9 @@ mod completions;
 mod convert;
 mod doctor;
 mod drift;
+mod failure;
 mod file_kind;
+mod flags;
 mod grade;
 mod interrupt;
 mod man;
@@ -32,12 +34,10 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 
+use self::failure::Failure;
 use self::refusal::Refusal;
 use crate::echo;
 use crate::output::OutputError;
-use crate::output::failure::FailureReport;
-use crate::scenario::error::ScenarioError;
-use crate::scenario::file::did_you_mean;
 use crate::scenario::wished::{Wish, wish};
 
 /// Runs the program on the process's arguments.
@@ -47,9 +47,9 @@ pub fn run() -> ExitCode {
         Err(code) => return code,
     };
     let done = match cli.command {
-        None => run::run(&cli.run),
-        Some(Command::Run(arguments)) => run::run(&arguments),
-        Some(Command::Check(arguments)) => check::check(&arguments),
+        None => run::run(&cli.run, &Cli::command()),
+        Some(Command::Run(arguments)) => run::run(&arguments, &Cli::command()),
+        Some(Command::Check(arguments)) => check::check(&arguments, &Cli::command()),
         Some(Command::Convert(arguments)) => convert::convert(&arguments),
         Some(Command::Doctor(arguments)) => doctor::examine(&arguments),
         Some(Command::Drift(arguments)) => drift::run(&arguments),
@@ -109,7 +109,7 @@ fn parsed(words: &[String]) -> Result<Cli, ExitCode> {
         return Err(refused(&refusal));
     }
     Cli::try_parse().map_err(|error| {
-        let refusal = resume::flags::refusal(&error)
+        let refusal = resume::flags::refusal(&Cli::command(), &error)
             .or_else(|| wished(&error))
             .or_else(|| mistyped::refusal(&Cli::command(), words, &error));
         refusal.map_or_else(|| not_parsed(&error), |refusal| refused(&refusal))
@@ -203,77 +203,4 @@ enum Command {
     /// Print the help as manual pages
     #[command(after_help = man::EXAMPLES)]
     Man(man::ManArguments),
-}
-
-/// Why a command did not do its work.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error(transparent)]
-    Scenario(#[from] ScenarioError),
-    #[error(transparent)]
-    Output(#[from] OutputError),
-    #[error(transparent)]
-    Plot(#[from] plot::PlotError),
-    #[error(transparent)]
-    Report(#[from] report::ReportError),
-    #[error(transparent)]
-    Grade(#[from] grade::GradeError),
-    #[error(transparent)]
-    Refused(#[from] refusal::Refusal),
-    #[error(
-        "`{}` is neither a subcommand ({known}) nor a scenario file{advice}",
-        echo::value(word)
-    )]
-    UnknownCommand { word: String, known: String, advice: String },
-    #[error("{report}{}", again.as_deref().unwrap_or_default())]
-    WentWrong { report: Box<FailureReport>, again: Option<String> },
-    #[error("writing to standard output failed: {0}")]
-    Stdout(#[from] io::Error),
-}
-
-impl Failure {
-    /// A single word that no file has for its name was probably meant as a subcommand.
-    fn unknown_command(word: &str) -> Self {
-        let words = typed::after_name();
-        if let Some(refusal) = mistyped::stray(&words, word) {
-            return Self::Refused(refusal);
-        }
-        let command = Cli::command();
-        let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        if known.contains(&word) {
-            let why = format!("`{word}` stands where a scenario file was to be");
-            let way_out = format!("a subcommand comes first: parsim2d {word}");
-            return Self::Refused(refusal::Refusal { why, way_out });
-        }
-        let before =
-            words.iter().position(|this| this == word).and_then(|k| words.get(k.checked_sub(1)?));
-        let advice = match word {
-            "true" | "false" => {
-                let flag =
-                    before.filter(|flag| flag.starts_with("--")).map_or("--border", |flag| flag);
-                Some(format!("; a switch takes it with `=`: {flag}={word}"))
-            }
-            _ => did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?")),
-        };
-        Self::UnknownCommand {
-            word: word.to_owned(),
-            known: known.join(", "),
-            advice: advice.unwrap_or_default(),
-        }
-    }
-
-    fn exit_code(&self) -> ExitCode {
-        match self {
-            Self::Output(OutputError::Write { .. }) | Self::Stdout(_) | Self::WentWrong { .. } => {
-                ExitCode::FAILURE
-            }
-            Self::Grade(why) => ExitCode::from(why.exit_code()),
-            Self::Scenario(_)
-            | Self::Output(_)
-            | Self::Plot(_)
-            | Self::Report(_)
-            | Self::Refused(_)
-            | Self::UnknownCommand { .. } => ExitCode::from(2),
-        }
-    }
 }

@@ -17,11 +17,16 @@ mod added;
 mod as_discs;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+#[cfg(all(target_arch = "x86_64", has_avx512))]
+mod avx512;
 mod block;
 mod block_pairs;
 mod bodies;
+mod both;
 mod cells;
 mod constants;
+mod four_pairs;
+mod group;
 mod halo;
 mod lanes;
 mod largest;

@@ -62,7 +62,7 @@ impl Neighbours {
     /// The skin follows what the last list taught: how long it served and how many pairs it had.
     fn choose_skin(&mut self, particles: &[Particle]) {
         // Of the smallest: a giant's would hold thousands of small discs near each other.
-        let radius = particles.iter().map(|p| p.radius).fold(f64::INFINITY, f64::min);
+        let radius = smallest_radius(particles);
         if self.listed_at.len() != particles.len() {
             self.skin = 0.5 * radius;
         } else if self.pairs.len() > MOST_PAIRS_PER_DISC * particles.len() {
@@ -86,6 +86,10 @@ pub fn largest_radius(particles: &[Particle]) -> f64 {
     particles.iter().map(|p| p.radius).fold(0.0, f64::max)
 }
 
+fn smallest_radius(particles: &[Particle]) -> f64 {
+    particles.iter().map(|p| p.radius).fold(f64::INFINITY, f64::min)
+}
+
 /// Square cells, each with the ids of the discs whose centres lie in it. Discs outside the grid
 /// belong to its nearest cell, so that every disc is somewhere and close ones stay close.
 #[derive(Default)]
@@ -99,9 +103,9 @@ struct CellGrid {
 }
 
 impl CellGrid {
-    /// Sorts the discs into cells wide enough that near pairs are in neighbouring cells.
+    /// Sorts the discs into cells.
     fn fill(&mut self, particles: &[Particle], skin: f64) {
-        self.lay_out(particles, 2.0 * largest_radius(particles) + skin);
+        self.lay_out(particles, 2.0 * smallest_radius(particles) + skin);
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
         // A disc whose position is no number touches nobody.
@@ -123,16 +127,16 @@ impl CellGrid {
         }
     }
 
-    /// Covers where the discs are, with at most about one cell a disc. The outermost hundredth on
-    /// each side does not count: one disc far away must not make every cell huge.
-    fn lay_out(&mut self, particles: &[Particle], reach: f64) {
+    /// Covers where the discs are, with cells no smaller than `least` (m) and at most about one a disc. The outermost
+    /// hundredth on each side does not count: one disc far away must not make every cell huge.
+    fn lay_out(&mut self, particles: &[Particle], least: f64) {
         let (left, right) = middle_range(particles.iter().map(|p| p.position.x));
         let (low, high) = middle_range(particles.iter().map(|p| p.position.y));
         let (width, height) = (right - left, high - low);
         let area_per_disc = width * height / particles.len().max(1) as f64;
         let longest_row = width.max(height) / particles.len().max(1) as f64;
         self.corner = DVec2::new(left, low);
-        self.cell = reach.max(area_per_disc.sqrt()).max(longest_row);
+        self.cell = least.max(area_per_disc.sqrt()).max(longest_row);
         let cells_along = |length: f64| ((length / self.cell).max(0.0) as usize).max(1);
         self.columns = cells_along(width);
         self.rows = cells_along(height);
@@ -152,23 +156,32 @@ impl CellGrid {
     }
 
     /// Adds all pairs closer than touching plus `skin`, in lexicographic order.
+    ///
+    /// A disc looks for those that are smaller, or as large and of higher id, so no farther than for its like. A giant looks
+    /// over many cells, but small discs never over its: discs that do not lie in each other look over each cell a few times.
     fn append_pairs(&self, particles: &[Particle], skin: f64, pairs: &mut Vec<[u32; 2]>) {
-        for (i, p) in particles.iter().enumerate().filter(|(_, p)| p.position.is_finite()) {
-            let (column, row) = self.column_and_row(p.position);
+        let smallest = smallest_radius(particles);
+        for (i, p) in (0..).zip(particles).filter(|(_, p)| p.position.is_finite()) {
+            let lowest_id = if p.radius > smallest { 0 } else { i + 1 };
+            let reach = DVec2::splat((2.0 * p.radius + skin) * (1.0 + 1e-9)); // a hair more, for rounding
+            let (left, low) = self.column_and_row(p.position - reach);
+            let (right, high) = self.column_and_row(p.position + reach);
             let first = pairs.len();
-            for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
-                // The cells of one row lie side by side in `ids`: one run for three cells.
-                let leftmost = row * self.columns + column.saturating_sub(1);
-                let rightmost = row * self.columns + (column + 1).min(self.columns - 1);
+            for row in low..=high {
+                // The cells of one row lie side by side in `ids`: one run for all of them.
+                let (leftmost, rightmost) = (row * self.columns + left, row * self.columns + right);
                 let run = self.starts[leftmost] as usize..self.starts[rightmost + 1] as usize;
-                for &j in &self.ids[run] {
-                    if j as usize > i && is_near(p, &particles[j as usize], skin) {
-                        pairs.push([i as u32, j]);
+                for &j in self.ids[run].iter().filter(|id| **id >= lowest_id) {
+                    let q = &particles[j as usize];
+                    let is_less = q.radius < p.radius || q.radius == p.radius && j > i;
+                    if is_less && is_near(p, q, skin) {
+                        pairs.push([i.min(j), i.max(j)]);
                     }
                 }
             }
             pairs[first..].sort_unstable();
         }
+        pairs.sort(); // no work where all are of one size
     }
 }
 

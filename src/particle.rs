@@ -177,7 +177,7 @@ impl ContactLaw for SpringDashpot {
     fn push(&self, contact: &Contact) -> f64 {
         let eta = self.damping.coefficient(self.stiffness, contact.reduced_mass);
         let push = self.stiffness * contact.overlap + eta * contact.approach_speed;
-        if self.tension { push } else { push.max(0.0) }
+        if self.tension || push > 0.0 { push } else { 0.0 }
     }
 
     #[inline]

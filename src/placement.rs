@@ -110,7 +110,7 @@ pub fn at_random(
     let most_tries = most_tries(asked, to_place);
     let mut tried = 0;
     let mut grid = PlacedGrid::new(particles, side);
-    (0..fixed).for_each(|id| grid.insert(id, particles[id].position));
+    (0..fixed).for_each(|id| grid.insert(id, particles[id]));
 
     let mut order: Vec<usize> = (fixed..asked).collect();
     order.sort_by(|&a, &b| particles[b].radius.total_cmp(&particles[a].radius));
@@ -127,7 +127,7 @@ pub fn at_random(
             let position = DVec2::splat(radius) + room * random;
             if grid.is_free(particles, position, radius) && clears_walls(position, radius, side) {
                 particles[id].position = position;
-                grid.insert(id, position);
+                grid.insert(id, particles[id]);
                 break;
             }
         }
@@ -151,12 +151,13 @@ fn clears_walls(position: DVec2, radius: f64, side: f64) -> bool {
     position.min_element() >= radius && side - position.max_element() >= radius
 }
 
-/// Cells at least as wide as the largest disc, each a chain of the discs placed so far.
+/// Cells at least as wide as the smallest disc, each with a chain of those placed so far: of the discs whose centres lie in
+/// it, and of wider ones that reach into it.
 struct PlacedGrid {
     cell: f64, // m
     columns: usize,
-    newest: Vec<u32>, // in each cell
-    older: Vec<u32>,  // than each disc
+    newest: Vec<u32>,       // link of each cell's chain
+    links: Vec<(u32, u32)>, // a disc, and the link before it
 }
 
 const NOBODY: u32 = u32::MAX;
@@ -164,46 +165,46 @@ const NOBODY: u32 = u32::MAX;
 impl PlacedGrid {
     fn new(particles: &[Particle], side: f64) -> Self {
         let most_columns = 2.0 * (particles.len() as f64).sqrt() + 1.0;
-        let cell = (2.0 * largest_radius(particles)).max(side / most_columns);
+        let smallest = particles.iter().map(|p| p.radius).fold(f64::INFINITY, f64::min);
+        let cell = (2.0 * smallest).max(side / most_columns);
         let columns = ((side / cell) as usize).max(1);
-        Self {
-            cell,
-            columns,
-            newest: vec![NOBODY; columns * columns],
-            older: vec![NOBODY; particles.len()],
+        let links = Vec::with_capacity(particles.len());
+        Self { cell, columns, newest: vec![NOBODY; columns * columns], links }
+    }
+
+    /// The cells less than `reach` (m) from `position`, along each axis.
+    fn cells(&self, position: DVec2, reach: f64) -> impl Iterator<Item = usize> + use<> {
+        let (columns, last) = (self.columns, self.columns as f64 - 1.0);
+        let at = |place: DVec2| (place / self.cell).clamp(DVec2::ZERO, DVec2::splat(last));
+        let [low, high] = [at(position - reach), at(position + reach)];
+        let along = low.x as usize..=high.x as usize;
+        let rows = low.y as usize..=high.y as usize;
+        rows.flat_map(move |row| along.clone().map(move |column| row * columns + column))
+    }
+
+    fn insert(&mut self, id: usize, Particle { position, radius, .. }: Particle) {
+        let is_wide = 2.0 * radius > self.cell;
+        for cell in self.cells(position, if is_wide { radius } else { 0.0 }) {
+            let link = self.links.len() as u32;
+            let before = std::mem::replace(&mut self.newest[cell], link);
+            self.links.push((id as u32, before));
         }
     }
 
-    fn column_and_row(&self, position: DVec2) -> (usize, usize) {
-        let cell = position / self.cell;
-        let last = self.columns - 1;
-        ((cell.x as usize).min(last), (cell.y as usize).min(last))
-    }
-
-    fn insert(&mut self, id: usize, position: DVec2) {
-        let (column, row) = self.column_and_row(position);
-        let newest = &mut self.newest[row * self.columns + column];
-        self.older[id] = std::mem::replace(newest, id as u32);
-    }
-
     fn is_free(&self, particles: &[Particle], position: DVec2, radius: f64) -> bool {
-        let (column, row) = self.column_and_row(position);
-        let columns = column.saturating_sub(1)..=(column + 1).min(self.columns - 1);
-        let rows = row.saturating_sub(1)..=(row + 1).min(self.columns - 1);
-        rows.flat_map(|row| columns.clone().map(move |column| row * self.columns + column)).all(
-            |cell| {
-                let mut id = self.newest[cell];
-                while id != NOBODY {
-                    let other = &particles[id as usize];
-                    let reach = radius + other.radius;
-                    if position.distance_squared(other.position) <= reach * reach {
-                        return false;
-                    }
-                    id = self.older[id as usize];
+        self.cells(position, radius + 0.5 * self.cell).all(|cell| {
+            let mut link = self.newest[cell];
+            while link != NOBODY {
+                let (id, before) = self.links[link as usize];
+                let other = &particles[id as usize];
+                let reach = radius + other.radius;
+                if position.distance_squared(other.position) <= reach * reach {
+                    return false;
                 }
-                true
-            },
-        )
+                link = before;
+            }
+            true
+        })
     }
 }
 

@@ -3,9 +3,12 @@
 //!
 //! Values come in layers: preset, then scenario file, then flags.
 
+mod choice;
 pub mod continued;
 pub mod diagnosis;
+mod disc_settings;
 mod discs;
+mod dt_setting;
 pub mod error;
 mod exclusive;
 pub mod expected;
@@ -19,8 +22,9 @@ pub mod key;
 pub mod keys;
 mod malformed;
 pub mod memory;
+pub mod names;
+pub mod nearest;
 pub mod notes;
-mod number;
 mod offers;
 mod output_plan;
 mod overlap;
@@ -38,12 +42,11 @@ mod suspects;
 pub mod wished;
 
 use std::path::Path;
-use std::sync::Arc;
 
 use glam::DVec2;
 
+pub use self::choice::{DampingChoice, DiscSource, DtSetBy, Population, StepChoice};
 use self::error::ScenarioError;
-use self::framed::FramedDiscs;
 pub use self::keys::{OutputChoices, Scenario};
 use self::settings::IntegratorName;
 use crate::analysis::collision::{ContactEnd, damping_ratio_for};
@@ -53,102 +56,11 @@ use crate::discs::Discs;
 use crate::engine::{Engine, WORTH_SHARING};
 use crate::force::HalfPlane;
 use crate::integrator::{ExplicitEuler, Integrator, SymplecticEuler, VelocityVerlet};
-use crate::output::frames::layout::Layout;
 use crate::particle::{Damping, Particle, SpringDashpot};
 use crate::simulation::{PlainDiscs, Simulation, time_step};
 
 /// Fewer discs than this are stepped the plain way: nothing is gained by storing them by cell.
 const CROWD: usize = 100;
-
-/// How contacts are damped, as said by the user.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DampingChoice {
-    /// eta_n, kg/s.
-    Eta(f64),
-    /// gamma, 1/s, with eta_n = m_eff gamma.
-    Gamma(f64),
-    /// Restitution e of every contact, pair or wall.
-    Restitution(f64),
-}
-
-/// How the time step is chosen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StepChoice {
-    /// Eq. (2) with this N_t.
-    Nt(f64),
-    /// So many seconds.
-    Seconds(f64),
-    /// The fraction [`stability::AUTO`] of the stable limit.
-    Auto,
-}
-
-/// Who chose the time step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DtSetBy {
-    /// `--nt`.
-    Nt,
-    /// `--dt` with a number.
-    Dt,
-    /// `--dt auto`.
-    Auto,
-    /// The preset's N_t.
-    Preset,
-}
-
-impl DtSetBy {
-    /// Its name in the summary.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Nt => "nt",
-            Self::Dt => "dt",
-            Self::Auto => "auto",
-            Self::Preset => "preset",
-        }
-    }
-}
-
-/// Where the discs come from.
-#[derive(Clone, Debug, PartialEq)]
-pub enum DiscSource {
-    /// n equal discs, placed by the program.
-    Equal(usize),
-    /// Listed discs first, then groups placed by the program around them.
-    Listed(Vec<Particle>, Vec<Population>),
-    /// A frame of a file.
-    Frame {
-        /// The file and frame as said.
-        said: String,
-        /// Which column is what, if that was said by hand.
-        columns: Option<Layout>,
-        /// The discs read, shared by all variants of a scenario.
-        discs: Arc<FramedDiscs>,
-        /// Whether the file has columns for velocities.
-        has_velocities: bool,
-        /// Whether the file has a column for masses.
-        has_masses: bool,
-        /// Whether the file has a column for radii.
-        has_radii: bool,
-        /// The side that the frame says, m.
-        side: Option<f64>,
-        /// Whether its columns are named, by the file or by hand.
-        are_named: bool,
-        /// What is to be said of how the file was read.
-        notes: Vec<String>,
-    },
-}
-
-/// A group of equal discs placed by the program.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Population {
-    /// How many.
-    pub n: usize,
-    /// Radius, m.
-    pub radius: f64,
-    /// Mass, kg.
-    pub mass: f64,
-    /// Rms speed at the start, m/s.
-    pub speed: f64,
-}
 
 impl Scenario {
     /// A scenario from the text of a scenario file; seed 0 if it does not say one.

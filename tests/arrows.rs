@@ -7,7 +7,10 @@ use std::path::{Path, PathBuf};
 use crate::support::imports::{Sources, circles};
 
 /// Which rooms each room may know. A room is a file or folder of `src/`, or of `src/grading/`.
-const ARROWS: [(&str, &[&str]); 30] = [
+const ARROWS: [(&str, &[&str]); 33] = [
+    ("named", &[]),
+    ("number", &[]),
+    ("table", &[]),
     ("particle", &[]),
     ("boundary", &[]),
     ("field", &["particle"]),
@@ -39,12 +42,14 @@ const ARROWS: [(&str, &[&str]); 30] = [
             "simulation",
         ],
     ),
-    ("analysis", &["particle", "neighbours", "work", "simulation"]),
-    ("output", &["echo", "simulation", "analysis"]),
+    ("analysis", &["named", "number", "particle", "neighbours", "work", "simulation"]),
+    ("output", &["echo", "number", "simulation", "analysis"]),
     (
         "scenario",
         &[
             "echo",
+            "named",
+            "number",
             "particle",
             "neighbours",
             "integrator",
@@ -58,12 +63,15 @@ const ARROWS: [(&str, &[&str]); 30] = [
         ],
     ),
     ("session", &["simulation", "analysis", "output", "scenario"]),
-    ("figure", &["particle", "neighbours", "force", "analysis", "output"]),
-    ("page", &["analysis", "output", "figure", "scenario"]),
+    ("figure", &["named", "number", "particle", "neighbours", "force", "analysis", "output"]),
+    ("page", &["number", "table", "analysis", "output", "figure", "scenario"]),
     ("echo", &[]),
-    ("grading::sandbox", &[]),
-    ("grading::judge", &["analysis", "figure"]),
-    ("grading::feedback", &["grading::judge", "figure", "output", "page"]),
+    ("grading::sandbox", &["named", "table"]),
+    ("grading::judge", &["named", "table", "analysis", "figure"]),
+    (
+        "grading::feedback",
+        &["named", "number", "table", "grading::judge", "figure", "output", "page"],
+    ),
     ("grading::pipeline", &["grading::sandbox", "grading::judge", "grading::feedback"]),
     ("grading::validation", &["grading::judge"]),
     ("grading", &[]),
@@ -71,6 +79,8 @@ const ARROWS: [(&str, &[&str]); 30] = [
         "cli",
         &[
             "echo",
+            "named",
+            "number",
             "scenario",
             "session",
             "simulation",
@@ -110,9 +120,6 @@ const PHYSICS: [&str; 14] = [
 const PHYSICS_CRATES: [&str; 8] =
     ["std", "glam", "wide", "rand", "rand_pcg", "thiserror", "serde", "crate"];
 
-/// Rooms in which a file and those below it still know each other. Each goes when it is rebuilt; none is to be added.
-const STILL_ROUND: [&str; 2] = ["cli", "scenario"];
-
 #[test]
 fn no_two_files_import_each_other_in_a_circle() {
     let imports = Sources::below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src")).imports();
@@ -121,11 +128,9 @@ fn no_two_files_import_each_other_in_a_circle() {
         count > 1000,
         "only {count} imports were found: does this test still read the sources?"
     );
-    let is_new = |file: &Vec<String>| !STILL_ROUND.contains(&file[0].as_str());
-    let mut circles = circles(&imports).into_iter();
-    if let Some(circle) = circles.find(|circle| circle.iter().any(is_new)) {
+    if let Some(circle) = circles(&imports).first() {
         let arrows = circle.iter().map(|file| {
-            let others = imports[file].intersection(&circle).map(|other| other.join("/"));
+            let others = imports[file].intersection(circle).map(|other| other.join("/"));
             format!("\n  {} imports {}", file.join("/"), others.collect::<Vec<_>>().join(", "))
         });
         panic!("files import each other in a circle:{}", arrows.collect::<String>());

@@ -134,7 +134,7 @@ fn the_guides_own_run_has_one_line_of_notes_and_check_has_the_rest() {
     // Discs that have passed through each other are told of after the run, too.
     let (output, _folder) = outcome(&["-n", "1000", "--seed", "1", "--time", "0.1"]);
     let said = text(&output.stdout);
-    assert!(said.contains("overlap  at most 2.108 r: more than half a radius"), "{said}");
+    assert!(said.contains("overlap  at most 2.11 r: more than half a radius"), "{said}");
 }
 
 #[test]

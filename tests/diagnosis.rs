@@ -265,7 +265,7 @@ fn no_way_out_leads_to_discs_that_sink_through_each_other() {
     // Overlaps, in radii, of a fall with these: 123 and 39; the last two are mended by another stiffness.
     for (text, offers, not) in [
         ("kn = 5", "--kn 5e4", "--nt"),
-        ("mass = 1", "--mass 0.001", "--nt"),
+        ("mass = 1", "--mass 1e-3", "--nt"),
         ("dt = 1e-2\nspeed = 500\nkn = 5", "", "--nt"),
     ] {
         let finding = scenario(text).refusal().unwrap_or_else(|| panic!("{text}"));

@@ -106,8 +106,8 @@ fn free_fall_shows_the_saw_tooth_of_eq_3() {
 fn phases_and_numbers_of_discs_are_those_asked_for() {
     let settings = Settings { n: Some(7), ..Settings::default() };
     let study = Study::new(&settings, &[50.0, 10.0, 10.0]).unwrap();
-    assert_eq!(study.nt(), [10.0, 50.0]);
-    assert_eq!(study.boxes().each_ref().map(|scenario| scenario.n()), [20, 7]);
+    assert_eq!(study.nt, [10.0, 50.0]);
+    assert_eq!(study.boxes.each_ref().map(|scenario| scenario.n()), [20, 7]);
     let runs = study.runs();
     let wall = runs.iter().find(|run| run.case == Case::Wall).unwrap();
     // 16 phases of one disc over 1.5 contacts of 10.5 steps and two more: 18 steps.

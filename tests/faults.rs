@@ -47,7 +47,7 @@ const fn file(
 const FAULTS: [Fault; 19] = [
     flags("dt a hundred times too large", "--dt 8.9e-4", "--dt", "--dt = 8.9e-4"),
     flags("eta 1500 with Eq. (2)", "--eta 1.5e3", "--eta", "--eta = 1500"),
-    flags("eta negative", "--eta -1.5e-3", "--eta", "eta = -0.0015 is not possible"),
+    flags("eta negative", "--eta -1.5e-3", "--eta", "eta = -1.5e-3 is not possible"),
     flags("k_n 5e10 with dt fixed", "--kn 5e10 --dt 8.9e-6", "--kn", "--kn = 5e10"),
     flags("mass 1e-9 with dt fixed", "--mass 1e-9 --dt 8.9e-6", "--mass", "--mass = 1e-9"),
     flags("radius in millimetres", "--radius 0.1", "--radius", "write 0.1mm"),

@@ -8,6 +8,7 @@ use parsim2d::figure::forces::links;
 use parsim2d::figure::speeds::{Histogram, Moments, maxwell};
 use parsim2d::figure::{colour, label, svg, ticks};
 use parsim2d::force::HalfPlane;
+use parsim2d::number::typographic;
 use parsim2d::output::frames::{Frames, read_frame};
 use parsim2d::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
 use proptest::prelude::*;
@@ -133,10 +134,10 @@ proptest! {
 
     #[test]
     fn any_number_is_written_for_svg_and_for_people(value in any::<f64>(), digits in 1..9usize) {
-        let written: f64 = svg::number(value).parse().unwrap();
+        let written: f64 = svg::coordinate(value).parse().unwrap();
         prop_assert!(written.abs() <= 1e5);
         prop_assert!(value.is_nan() || (written - value.clamp(-1e5, 1e5)).abs() <= 0.0051);
-        prop_assert!(!label::short(value, digits).is_empty());
+        prop_assert!(!typographic(value, digits).is_empty());
         let (_, power) = label::prefix(value);
         prop_assert!(power % 3 == 0);
     }

@@ -73,22 +73,22 @@ fn one_note_says_what_a_frame_does_not_hold_and_what_is_taken() {
     for (arguments, note) in [
         (
             "--start out.txt",
-            "note: out.txt holds no velocities and no masses: all discs start at rest, with 0.001 kg (--mass); \
+            "note: out.txt holds no velocities and no masses: all discs start at rest, with 1e-3 kg (--mass); \
              trajectory.txt of the same run has both\n",
         ),
         (
             "--start out.txt --mass 2g --speed 0.1",
             "note: out.txt holds no velocities and no masses: all discs are thrown with an rms speed of 0.1 m/s \
-             (--speed), with 0.002 kg (--mass); trajectory.txt of the same run has both\n",
+             (--speed), with 2e-3 kg (--mass); trajectory.txt of the same run has both\n",
         ),
         (
             "--start moving.txt",
-            "note: moving.txt holds no masses: each disc has 0.001 kg (--mass)\n",
+            "note: moving.txt holds no masses: each disc has 1e-3 kg (--mass)\n",
         ),
         ("--start heavy.txt", "note: heavy.txt holds no velocities: all discs start at rest\n"),
         (
             "--start trajectory.txt --mass 2g",
-            "note: trajectory.txt has the mass of each disc: mass = 0.002 kg is not used\n",
+            "note: trajectory.txt has the mass of each disc: mass = 2e-3 kg is not used\n",
         ),
     ] {
         let arguments = format!("{arguments} --time 0 --seed 1 --out-dir next");
@@ -187,7 +187,7 @@ fn drawn_forces_are_those_of_each_discs_own_mass() {
     fs::write(folder.path().join("trajectory.txt"), bare).unwrap();
     assert_eq!(
         plot(""),
-        "note: the frame has no masses; each disc is taken to have 0.001 kg (--mass)\n"
+        "note: the frame has no masses; each disc is taken to have 1e-3 kg (--mass)\n"
     );
     assert_eq!(largest(), "0.973 N");
     plot("--mass 1kg");
@@ -252,7 +252,7 @@ fn a_start_without_radii_takes_that_of_the_flag_and_says_so() {
     let start = "--start h6.csv --radius 1mm --time 1ms --seed 1";
     let (first, said) = run(folder.path(), &format!("{start} --out-dir first"));
     assert!(
-        said.contains("note: h6.csv holds no radii: each disc has 0.001 m (--radius)\n"),
+        said.contains("note: h6.csv holds no radii: each disc has 1e-3 m (--radius)\n"),
         "{said}"
     );
     let printed = outcome(folder.path(), &format!("{start} --print-config"));

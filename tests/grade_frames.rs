@@ -101,8 +101,7 @@ fn each_bug_costs_the_right_check_and_is_named() {
             };
             let lost = lost(&report);
             wrong += usize::from(!lost.iter().all(expected) || lost.is_empty());
-            let said =
-                lost.iter().map(|(c, m)| format!("{}:{}", c.id(), m.map_or("-".into(), M::id)));
+            let said = lost.iter().map(|(c, m)| format!("{}:{}", c.id(), m.map_or("-", M::id)));
             let said = said.collect::<Vec<_>>().join(" ");
             match seen.iter_mut().find(|(known, _)| *known == said) {
                 Some((_, count)) => *count += 1,

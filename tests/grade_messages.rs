@@ -192,7 +192,7 @@ fn what_is_refused_says_how_to_write_it_and_is_refused_before_anything_is_graded
         (
             "--rubric big.toml",
             0,
-            "printed, m: 5.000e-4\n    asked for, m: 0.001\n    asked for, m: 0.002\n",
+            "printed, m: 5e-4\n    asked for, m: 1e-3\n    asked for, m: 2e-3\n",
         ),
     ];
     for (arguments, code, said) in cases {

@@ -236,14 +236,14 @@ fn a_rubric_may_leave_points_to_a_mistake_hide_a_check_and_say_it_in_its_own_wor
 }
 
 #[test]
-fn pictures_come_with_the_json_when_asked_for() {
+fn a_failure_has_a_picture_that_the_json_does_not_hold_unasked() {
     let text = Program::new(Bug::GravitySign, 1).output();
     let mut report = Report::of_frames(&elastic());
     let film = add_film(&mut report, Footage::File(text.as_bytes()), &elastic());
     assert!(!report.json(&ENGLISH).to_string().contains("<svg"));
-    let json = report.json_with_pictures(&ENGLISH, film.as_ref());
-    let picture = json["checks"][5]["failure"]["picture"].as_str().unwrap();
-    let svg = roxmltree::Document::parse(picture).unwrap();
+    let (_, failure) = report.failures().next().unwrap();
+    let picture = failure.picture(&film.unwrap()).unwrap();
+    let svg = roxmltree::Document::parse(&picture).unwrap();
     let circles = svg.descendants().filter(|node| node.has_tag_name("circle"));
     assert_eq!(circles.count(), 20);
 }

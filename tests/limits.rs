@@ -70,7 +70,7 @@ fn intervals_that_no_clock_can_tell_are_refused_with_their_range() {
     for (said, reason) in [
         (
             "checkpoint_every = 2e19",
-            "checkpoint_every = 2e19 is not possible: must be from 0.001 to 1e9",
+            "checkpoint_every = 2e19 is not possible: must be from 1e-3 to 1e9",
         ),
         ("checkpoint_every = 1e-308", "checkpoint_every = 1e-308 is not possible"),
         ("slowdown = 1e308", "slowdown = 1e308 is not possible: must be from 1e-9 to 1e9"),

@@ -123,3 +123,29 @@ fn a_disc_that_grows_or_comes_back_is_seen_again() {
     particles[1].position = 0.5 * far;
     assert_no_pair_is_missed(&mut neighbours, &particles);
 }
+
+#[test]
+fn a_giant_among_small_discs_costs_little_more_than_they_do() {
+    let disc = |place, radius| Particle::at_rest(place, radius, 1.0);
+    let columns = 400;
+    let place = |k: usize| DVec2::new((k % columns) as f64, (k / columns) as f64) * 4e-5;
+    let mut discs: Vec<_> = (0..columns * columns).map(|k| disc(place(k), 1e-5)).collect();
+    let middle = 0.5 * (discs[0].position + discs[discs.len() - 1].position);
+    discs.retain(|p| p.position.distance(middle) > 5e-3);
+    let time = |discs: &[Particle]| {
+        let started = std::time::Instant::now();
+        let mut neighbours = Neighbours::default();
+        neighbours.refresh(discs);
+        (started.elapsed().as_secs_f64(), neighbours.pairs().collect::<Vec<_>>())
+    };
+    let (without, _) = time(&discs);
+    discs.push(disc(middle, 5e-3));
+    let (with, pairs) = time(&discs);
+    let giant = discs.len() - 1;
+    let of_giant = pairs.into_iter().filter(|pair| pair.1 == giant);
+    let plain = touching(&discs, (0..giant).map(|k| (k, giant)));
+    assert!(plain.len() > 100, "{}", plain.len());
+    assert_eq!(touching(&discs, of_giant), plain);
+    // A thousand times as much if each small disc looked over the giant's cells.
+    assert!(with < 10.0 * without + 0.1, "{with} s, {without} s without it");
+}

@@ -447,7 +447,7 @@ fn a_sheet_says_what_is_wrong_what_it_looks_like_how_it_was_graded_and_stays_kin
     let pages: Vec<String> = all().iter().map(|graded| html_of_student(graded, &ENGLISH)).collect();
     for part in [
         "the energy of all discs grows; frame 399",
-        "5.5607",
+        "5.561",
         "updated with the old velocity",
         "which velocity moves the disc",
         "1 of 2 points",

@@ -2,7 +2,7 @@
 
 use assert_cmd::Command;
 use parsim2d::analysis::twin::{Growth, distances, separation_time};
-use parsim2d::output::drift::{TwinRow, read_twin};
+use parsim2d::output::drift::TwinRow;
 use parsim2d::scenario::settings::Settings;
 use parsim2d::scenario::study::{twin_box, twins};
 
@@ -67,7 +67,8 @@ fn twin(arguments: &[&str]) -> (String, Vec<TwinRow>, Vec<u8>) {
     assert!(output.status.success());
     let path = folder.path().join("twin.csv");
     let bytes = std::fs::read(&path).unwrap();
-    (String::from_utf8(output.stdout).unwrap(), read_twin(bytes.as_slice()).unwrap(), bytes)
+    let rows = csv::Reader::from_reader(bytes.as_slice()).into_deserialize();
+    (String::from_utf8(output.stdout).unwrap(), rows.collect::<Result<_, _>>().unwrap(), bytes)
 }
 
 #[test]

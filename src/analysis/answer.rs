@@ -14,6 +14,7 @@ use serde::Serialize;
 use self::expected::Expected;
 pub use self::question::Question;
 use super::line::Line;
+use crate::number::{signed, significant};
 use crate::particle::Particle;
 use crate::simulation::Simulation;
 
@@ -47,6 +48,17 @@ pub struct AnswerRow {
     pub error: f64,
     /// p of an error that goes like dt^p, from dt, dt/2 and dt/4.
     pub order: Option<f64>,
+}
+
+impl AnswerRow {
+    /// The row as text: what, theory, measured, error, order.
+    pub fn cells(&self) -> [String; 5] {
+        let Self { what, unit, theory, measured, error, order } = self;
+        let what = if unit.is_empty() { what.clone() } else { format!("{what}, {unit}") };
+        let [theory, measured] = [*theory, *measured].map(|value| significant(value, 6));
+        let order = order.map_or("-".to_owned(), |order| format!("{order:.1}"));
+        [what, theory, measured, signed(*error, 2), order]
+    }
 }
 
 /// Theory beside measurement.

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use glam::DVec2;
 
 use crate::analysis::answer::{Answer, AnswerRow, Question};
+use crate::number::significant;
 use crate::scenario::{DiscSource, Scenario, StepChoice};
 use crate::simulation::Simulation;
 
@@ -37,11 +38,8 @@ pub(super) fn write(out: &mut impl Write, answer: &Answer) -> io::Result<()> {
         return Ok(());
     }
     writeln!(out, "\nfirst contact             theory       measured     error     order in dt")?;
-    for AnswerRow { what, unit, theory, measured, error, order } in answer.rows() {
-        let what = if unit.is_empty() { what.clone() } else { format!("{what}, {unit}") };
-        let order = order.map_or("-".to_owned(), |order| format!("{order:.1}"));
-        let (theory, measured) = (digits(*theory), digits(*measured));
-        writeln!(out, "{what:<25} {theory:<12} {measured:<12} {error:<+9.1e} {order}")?;
+    for [what, theory, measured, error, order] in answer.rows().iter().map(AnswerRow::cells) {
+        writeln!(out, "{what:<25} {theory:<12} {measured:<12} {error:<9} {order}")?;
     }
     answer.remark.iter().try_for_each(|remark| writeln!(out, "({remark})"))
 }
@@ -67,20 +65,8 @@ pub(super) fn write_velocities(out: &mut impl Write, of: &[[DVec2; 2]]) -> io::R
     }
     writeln!(out, "\nvelocity, m/s   vx at start   vy at start     vx at end     vy at end")?;
     for (disc, [start, end]) in of.iter().enumerate() {
-        let [a, b, c, d] = [start.x, start.y, end.x, end.y].map(|v| match v {
-            0.0 => "0".to_owned(),
-            _ => digits(v),
-        });
+        let [a, b, c, d] = [start.x, start.y, end.x, end.y].map(|v| significant(v, 6));
         writeln!(out, "disc {disc:<9} {a:>12} {b:>13} {c:>13} {d:>13}")?;
     }
     Ok(())
-}
-
-/// Six digits.
-fn digits(value: f64) -> String {
-    if (1e-3..1e4).contains(&value.abs()) {
-        let whole = value.abs().log10().floor() as i32;
-        return format!("{value:.*}", (5 - whole).max(0) as usize);
-    }
-    format!("{value:.5e}")
 }

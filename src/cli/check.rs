@@ -4,17 +4,18 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use anstream::AutoStream;
+use clap::Command;
 use clap::builder::styling::AnsiColor;
 use serde_json::json;
 
+use super::failure::Failure;
+use super::memory;
 use super::run::{RunArguments, scenario};
 use super::say::say;
 use super::wrapped::wrapped;
-use super::{Failure, memory};
-use crate::output::number::counted;
+use crate::number::{at_most, bytes, counted};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
-use crate::scenario::memory::bytes;
 use crate::scenario::notes;
 
 pub(super) const EXAMPLES: &str = "\
@@ -28,11 +29,11 @@ Exit codes: 0 good or coarse, 2 unstable, or refused for another reason.";
 
 /// Prints the diagnosis. What cannot be run for another reason than its time step is an error, which
 /// `--json` puts into the same keys.
-pub(super) fn check(arguments: &RunArguments) -> Result<ExitCode, Failure> {
+pub(super) fn check(arguments: &RunArguments, command: &Command) -> Result<ExitCode, Failure> {
     let mut lenient = arguments.clone();
     lenient.settings.allow_unstable = Some(true);
     let json = arguments.settings.json.unwrap_or(false);
-    let diagnosis = scenario(&lenient).and_then(|(scenario, _)| {
+    let diagnosis = scenario(&lenient, command).and_then(|(scenario, _)| {
         scenario.notes_on_file().iter().for_each(|note| say("note", note));
         memory::check(&scenario)?;
         scenario.build()?; // places the discs: no change of the time step makes room for them
@@ -100,7 +101,7 @@ fn write_text(
     }
     writeln!(out, "a contact ends at {contact_end}; \"a fall\" is one at {speed_m_s:.3} m/s\n")?;
 
-    let step = format!("largest time step, s (dt = {dt_s:.3e})");
+    let step = format!("largest time step, s (dt = {})", at_most(*dt_s, 5));
     writeln!(out, "{step:<40} {:>11} {:>11}", "limit", "dt/limit")?;
     for limit in &diagnosis.limits {
         let [dt, fraction] = [Some(limit.dt_s), Some(limit.fraction)].map(cell);

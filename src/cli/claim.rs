@@ -3,9 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Failure;
+use super::failure::Failure;
 use super::refusal::Refusal;
-use super::typed::quoted;
+use super::typed::{quoted, shown};
 use crate::output::checkpoint::container::Flaw;
 use crate::output::checkpoint::{self, Checkpoint, CheckpointError, refuse_foreign};
 use crate::output::failure;
@@ -133,11 +133,4 @@ pub(super) fn keep_start(scenario: &Scenario) -> Result<(), Failure> {
         why: format!("--start reads {start}, and this run would replace that file"),
         way_out: format!("another folder, as --out-dir next; or give {start} another name"),
     }))
-}
-
-/// `path` as a person would type it.
-pub(super) fn shown(path: &Path) -> String {
-    let bare = path.strip_prefix(".").unwrap_or(path);
-    let said = if bare.as_os_str().is_empty() { path } else { bare }; // `.` itself
-    said.to_string_lossy().into_owned()
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{ArgAction, Args, Command};
 use clap_complete::Shell;
 
-use super::Failure;
+use super::failure::Failure;
 
 pub(super) const EXAMPLES: &str = "\
 Examples, each for good, from the next shell on:

@@ -5,13 +5,13 @@ use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
-use super::Failure;
-use super::claim::shown;
+use super::failure::Failure;
 use super::file_kind::FileKind;
 use super::plot::Progress;
 use super::refusal::Refusal;
+use super::typed::shown;
 use crate::output::frames::format::Format;
 use crate::output::frames::layout::Layout;
 use crate::output::frames::writer::{Target, Writer};
@@ -42,10 +42,10 @@ pub(super) struct ConvertArguments {
     output: PathBuf,
     /// Format of IN [default: told by how it begins]
     #[arg(long, value_enum, value_name = "FORMAT")]
-    from: Option<FromName>,
+    from: Option<Format>,
     /// Format of OUT [default: by its ending]
     #[arg(long, value_enum, value_name = "FORMAT")]
-    to: Option<ToName>,
+    to: Option<Target>,
     /// Only frame K, from 0 [default: all]
     #[arg(long, value_name = "K", conflicts_with = "until")]
     frame: Option<usize>,
@@ -64,54 +64,14 @@ pub(super) struct ConvertArguments {
     quiet: bool,
 }
 
-/// Formats that are read.
-#[derive(Clone, Copy, ValueEnum)]
-enum FromName {
-    /// Rows of numbers: frames, CSV, tables with headings
-    Frames,
-    /// The same
-    Csv,
-    /// XYZ and extended XYZ
-    Xyz,
-    /// LAMMPS dump
-    LammpsDump,
-    /// LAMMPS data file
-    LammpsData,
-}
-
-/// Formats that are written.
-#[derive(Clone, Copy, ValueEnum)]
-enum ToName {
-    /// Frames, as runs write them
-    Frames,
-    /// One table
-    Csv,
-    /// Extended XYZ
-    Xyz,
-    /// LAMMPS dump
-    LammpsDump,
-}
-
 impl ConvertArguments {
     fn reading(&self) -> Reading {
-        let format = self.from.map(|from| match from {
-            FromName::Frames | FromName::Csv => Format::Table,
-            FromName::Xyz => Format::Xyz,
-            FromName::LammpsDump => Format::LammpsDump,
-            FromName::LammpsData => Format::LammpsData,
-        });
         let radius = self.radius.map(|radius| radius.si);
-        Reading { columns: self.columns.clone(), format, radius }
+        Reading { columns: self.columns.clone(), format: self.from, radius }
     }
 
     fn target(&self) -> Result<Target, Refusal> {
-        let said = self.to.map(|to| match to {
-            ToName::Frames => Target::Frames,
-            ToName::Csv => Target::Csv,
-            ToName::Xyz => Target::Xyz,
-            ToName::LammpsDump => Target::LammpsDump,
-        });
-        said.or_else(|| Target::of(&self.output)).ok_or_else(|| Refusal {
+        self.to.or_else(|| Target::of(&self.output)).ok_or_else(|| Refusal {
             why: format!("the ending of {} means no format that is written", shown(&self.output)),
             way_out: "one of .txt .xyz .extxyz .dump .lammpstrj .csv; or --to frames, xyz, lammps-dump or csv"
                 .to_owned(),

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use serde::Serialize;
 
-use super::Failure;
+use super::failure::Failure;
 use crate::echo;
 use crate::grading::sandbox::{Options, Refused, Sandbox, Tier};
 

@@ -1,24 +1,22 @@
 //! `parsim2d drift`: does the total energy stay constant? Measured, then answered in words.
 
+mod arguments;
 mod findings;
 mod table;
 mod twin;
 mod words;
 
 use std::io::{self, Write};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::Args;
 use serde::Serialize;
 
+pub(super) use self::arguments::DriftArguments;
 use self::findings::{Findings, Outcome};
-use super::Failure;
+use super::failure::Failure;
 use super::plot::{Target, plot_drift};
 use super::terminal::progress_bar;
 use crate::output::drift::{self as files, CurveRow, DriftRow};
-use crate::scenario::quantity::{Length, Mass, Number, Quantity, Stiffness, Time, whole_number};
-use crate::scenario::settings::Settings;
 use crate::scenario::study::{Study, StudyRun};
 use crate::session::courses::courses;
 
@@ -32,69 +30,6 @@ Examples:
 
 Writes drift.csv (a line a run), drift_energy.csv (the boxes' energy against time), and the
 figure of both, drift.svg, with drift.gp for gnuplot; --twin writes twin.csv (the distance between two runs against time).";
-
-#[derive(Args)]
-pub(super) struct DriftArguments {
-    /// Run one box twice instead, the second time with the last bit of one number changed
-    #[arg(long)]
-    twin: bool,
-    /// Discs of the dense box [default: 1000; --twin: 20]
-    #[arg(short = 'n', long = "n", value_name = "N", allow_hyphen_values = true)]
-    #[arg(value_parser = whole_number)]
-    n: Option<i64>,
-    /// Seed of the discs' places [default: 1, so that two students compare]
-    #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = whole_number)]
-    seed: Option<i64>,
-    /// Steps in a wall contact, N_t of Eq. (2), from 4 to 1000 [default: 10,20,50,100; --twin: 50]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
-    nt: Vec<Quantity<Number>>,
-    /// Simulated time of the boxes [default: 0.5, and 0.2 for the dense one; --twin: 2]
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
-    time: Option<Quantity<Time>>,
-    /// Restitution of the damped runs, 0 < e <= 1 [default: 0.9; --twin: 1]
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    restitution: Option<Quantity<Number>>,
-    /// Radius of a disc, r [default: 1e-4, and 5e-4 in the dense box]
-    #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Physics")]
-    radius: Option<Quantity<Length>>,
-    /// Mass of a disc, m [default: 1e-3]
-    #[arg(long, value_name = "KG", allow_hyphen_values = true, help_heading = "Physics")]
-    mass: Option<Quantity<Mass>>,
-    /// Normal stiffness, k_n [default: 5e4]
-    #[arg(long, value_name = "N/M", allow_hyphen_values = true, help_heading = "Physics")]
-    #[arg(aliases = ["k_n", "k-n"])]
-    kn: Option<Quantity<Stiffness>>,
-    /// Folder for the csv files [default: .]
-    #[arg(long, value_name = "DIR", help_heading = "Output", default_value = ".")]
-    #[arg(hide_default_value = true)]
-    out_dir: PathBuf,
-    /// Rows and key numbers as one JSON object on stdout
-    #[arg(long, help_heading = "Output")]
-    json: bool,
-    /// No progress bar, no table, no words: the files only (and --json)
-    #[arg(short = 'q', long, help_heading = "Output")]
-    quiet: bool,
-}
-
-impl DriftArguments {
-    /// What was said, but for N_t.
-    fn settings(&self) -> Settings {
-        Settings {
-            n: self.n,
-            seed: self.seed,
-            radius: self.radius,
-            mass: self.mass,
-            kn: self.kn,
-            time: self.time,
-            restitution: self.restitution,
-            ..Settings::default()
-        }
-    }
-
-    fn nt(&self) -> Vec<f64> {
-        self.nt.iter().map(|nt| nt.si).collect()
-    }
-}
 
 /// What `--json` prints.
 #[derive(Serialize)]

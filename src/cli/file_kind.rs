@@ -4,30 +4,32 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
-use super::claim::shown;
 use super::refusal::Refusal;
-use super::typed::quoted;
+use super::typed::{quoted, shown};
 use crate::grading::judge::rubric::Rubric;
+use crate::named::named;
 use crate::output::frames::read_frame;
 use crate::output::{checkpoint, record};
 use crate::scenario::file;
 
-/// Files that are known by how they begin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FileKind {
-    Folder,
-    Checkpoint,
-    Frames,
-    Ledger,
-    DriftStudy,
-    DriftCurves,
-    Scenario,
-    Rubric,
-    Json,
-    Picture,
-    GnuplotScript,
-    RustExample,
-    Source,
+named! {
+    /// Files that are known by how they begin.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub(super) enum FileKind, name {
+        Folder = "a folder",
+        Checkpoint = "a checkpoint",
+        Frames = "a file of frames",
+        Ledger = "an energy ledger",
+        DriftStudy = "a drift study",
+        DriftCurves = "the second file of a drift study",
+        Scenario = "a scenario",
+        Rubric = "a rubric for grading",
+        Json = "JSON",
+        Picture = "a page or picture",
+        GnuplotScript = "a gnuplot script",
+        RustExample = "source code",
+        Source = "source code",
+    }
 }
 
 impl FileKind {
@@ -44,24 +46,6 @@ impl FileKind {
         }
         let start = start(path)?;
         of_start(&start).or_else(|| of_name(path)).or_else(|| of_all(path, &start))
-    }
-
-    /// Its name in a sentence.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Folder => "a folder",
-            Self::Checkpoint => "a checkpoint",
-            Self::Frames => "a file of frames",
-            Self::Ledger => "an energy ledger",
-            Self::DriftStudy => "a drift study",
-            Self::DriftCurves => "the second file of a drift study",
-            Self::Scenario => "a scenario",
-            Self::Rubric => "a rubric for grading",
-            Self::Json => "JSON",
-            Self::Picture => "a page or picture",
-            Self::GnuplotScript => "a gnuplot script",
-            Self::RustExample | Self::Source => "source code",
-        }
     }
 
     /// What can be done with the file of this kind at `path`.

@@ -3,6 +3,7 @@
 mod all;
 mod arguments;
 mod error;
+mod exit_code;
 mod explain;
 mod proof;
 mod sheets;
@@ -15,11 +16,12 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use self::all::grade_all;
+use self::exit_code::exit_code;
 use self::explain::explain;
 use self::sheets::Sheets;
-use super::Failure;
-use crate::grading::feedback::plain::{one_line, short_names};
-use crate::grading::feedback::{Entry, Graded};
+use super::failure::Failure;
+use crate::grading::feedback::Graded;
+use crate::grading::feedback::plain::short_names;
 use crate::grading::judge::rubric::{COMMENTED, Rubric};
 use crate::output::OutputError;
 
@@ -106,25 +108,6 @@ fn read(path: &Path) -> io::Result<Vec<u8>> {
         return Err(io::Error::other("it has more than a gibibyte, or no end"));
     }
     Ok(bytes)
-}
-
-/// 3 if a submission could not be graded, else 1 if one has less than `least` per cent, else 0.
-fn exit_code(entries: &[Entry], least: Option<f64>) -> u8 {
-    let mut code = 0;
-    for entry in entries {
-        match entry {
-            Ok(graded) if least.is_some_and(|least| graded.report.percent() < least) => {
-                code = code.max(1);
-            }
-            Ok(_) => {}
-            Err(ungraded) => {
-                let line = format!("error: {} {}", ungraded.name, ungraded.why);
-                let _ = writeln!(io::stderr(), "{}", one_line(&line));
-                code = 3;
-            }
-        }
-    }
-    code
 }
 
 fn rubric(path: &Path) -> Result<Rubric, GradeError> {

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::{Args, Command};
 use clap_mangen::Man;
 
-use super::Failure;
+use super::failure::Failure;
 use crate::output::recorder::make_folder;
 use crate::output::replace::replace;
 

@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Command, CommandFactory};
+use clap::{Arg, Command};
 
-use super::Cli;
+use super::failure::Failure;
 use super::file_kind::FileKind;
+use super::flags::Flags;
 use super::refusal::Refusal;
-use super::typed::quoted;
-use crate::scenario::file::did_you_mean;
+use super::typed::{after_name, quoted};
+use crate::scenario::nearest::did_you_mean;
 use crate::scenario::quantity::is_unit;
 
 /// A long flag with one dash, `-radius`: clap would take it for `-r` and a value. Looked for before anything
@@ -45,7 +46,7 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
     }
     match error.kind() {
         ErrorKind::UnknownArgument if is_stray(command, words, said(ContextKind::InvalidArg)?) => {
-            two_scenarios(words, said(ContextKind::InvalidArg)?)
+            two_scenarios(command, words, said(ContextKind::InvalidArg)?)
         }
         ErrorKind::UnknownArgument => flags.unknown(words, said(ContextKind::InvalidArg)?),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
@@ -68,7 +69,9 @@ pub(super) fn refusal(command: &Command, words: &[String], error: &clap::Error) 
             );
             Some(Refusal { why, way_out: kind.picture(path) })
         }
-        ErrorKind::ArgumentConflict => two_scenarios(words, said(ContextKind::InvalidSubcommand)?),
+        ErrorKind::ArgumentConflict => {
+            two_scenarios(command, words, said(ContextKind::InvalidSubcommand)?)
+        }
         _ => None,
     }
 }
@@ -99,10 +102,9 @@ fn misspelt(command: &Command, words: &[String]) -> Option<Refusal> {
 }
 
 /// What to say of a `word` that is a flag, or a key of a scenario, without its dashes: `n 1000`, `n=1000`.
-fn no_dashes(words: &[String], word: &str) -> Option<Refusal> {
-    let command = Cli::command();
+fn no_dashes(command: &Command, words: &[String], word: &str) -> Option<Refusal> {
     let at = words.iter().position(|this| this == word)?;
-    let flags = Flags::of(&command, words);
+    let flags = Flags::of(command, words);
     if Path::new(word).exists() || at > 0 && flags.takes_next(&words[at - 1]) {
         return None;
     }
@@ -135,15 +137,13 @@ fn no_dashes(words: &[String], word: &str) -> Option<Refusal> {
 }
 
 /// What to say of a `word` where a scenario or a subcommand was to come.
-pub(super) fn stray(words: &[String], word: &str) -> Option<Refusal> {
-    let before =
-        words.iter().position(|this| this == word).and_then(|k| words.get(k.checked_sub(1)?));
+fn stray(command: &Command, words: &[String], word: &str) -> Option<Refusal> {
     let refusal = |why: String, way_out: String| Some(Refusal { why, way_out });
     if let Some(flag) = word.strip_prefix(['–', '—', '−']) {
         let why = format!("{word} begins with a long dash, as some programs make of two hyphens");
         return refusal(why, format!("--{}", flag.trim_start_matches(['-', '–', '—', '−'])));
     }
-    match before {
+    match before(words, word) {
         Some(before) if is_unit(word) && before.parse::<f64>().is_ok() => {
             let why = format!("`{before} {word}` are two words to a shell");
             return refusal(why, format!("no space before the unit: {before}{word}"));
@@ -151,7 +151,40 @@ pub(super) fn stray(words: &[String], word: &str) -> Option<Refusal> {
         Some(before) if before == "=" || word == "=" => return Some(spaces_around_equals()),
         _ => {}
     }
-    no_dashes(words, word)
+    no_dashes(command, words, word)
+}
+
+/// What a single `word` was probably meant for that no file has for its name.
+pub(super) fn unknown_command(command: &Command, word: &str) -> Failure {
+    let words = after_name();
+    if let Some(refusal) = stray(command, &words, word) {
+        return Failure::Refused(refusal);
+    }
+    let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    if known.contains(&word) {
+        let why = format!("`{word}` stands where a scenario file was to be");
+        let way_out = format!("a subcommand comes first: parsim2d {word}");
+        return Failure::Refused(Refusal { why, way_out });
+    }
+    let advice = match word {
+        "true" | "false" => {
+            let flag = before(&words, word).filter(|flag| flag.starts_with("--"));
+            let flag = flag.map_or("--border", String::as_str);
+            Some(format!("; a switch takes it with `=`: {flag}={word}"))
+        }
+        _ => did_you_mean(word, &known).map(|near| format!("; did you mean `{near}`?")),
+    };
+    Failure::UnknownCommand {
+        word: word.to_owned(),
+        known: known.join(", "),
+        advice: advice.unwrap_or_default(),
+    }
+}
+
+/// The word before `word`.
+fn before<'a>(words: &'a [String], word: &str) -> Option<&'a String> {
+    let at = words.iter().position(|this| this == word)?;
+    words.get(at.checked_sub(1)?)
 }
 
 fn spaces_around_equals() -> Refusal {
@@ -194,8 +227,8 @@ fn unit_as_flag(words: &[String], said: &str) -> Option<Refusal> {
 }
 
 /// Two files, or a flag behind `--`.
-fn two_scenarios(words: &[String], second: &str) -> Option<Refusal> {
-    if let Some(refusal) = words.iter().find_map(|word| stray(words, word)) {
+fn two_scenarios(command: &Command, words: &[String], second: &str) -> Option<Refusal> {
+    if let Some(refusal) = words.iter().find_map(|word| stray(command, words, word)) {
         return Some(refusal);
     }
     if let Some(k) = words.iter().position(|word| word == "--") {
@@ -209,65 +242,7 @@ fn two_scenarios(words: &[String], second: &str) -> Option<Refusal> {
     })
 }
 
-/// The flags of the subcommand that was typed, and of those above it.
-struct Flags {
-    all: Vec<Arg>,
-}
-
 impl Flags {
-    fn of(command: &Command, words: &[String]) -> Self {
-        let mut all: Vec<Arg> = command.get_arguments().cloned().collect();
-        let mut here = command;
-        for word in words {
-            if let Some(sub) = here.find_subcommand(word) {
-                here = sub;
-                // What the subcommand says of a flag is nearer.
-                all = here.get_arguments().cloned().chain(all).collect();
-            }
-        }
-        Self { all }
-    }
-
-    /// The long flag called `name`, by its own name, with `_` for `-`, or by another of its names.
-    fn long(&self, name: &str) -> Option<&str> {
-        let dashed = name.replace('_', "-");
-        self.all.iter().find_map(|flag| {
-            let long = flag.get_long()?;
-            let aliases = flag.get_all_aliases().unwrap_or_default();
-            (long == dashed || aliases.contains(&name)).then_some(long)
-        })
-    }
-
-    /// The flag that is called `name` in a scenario file, or in the letters of a book, as `N` and `N_t`.
-    fn without_dashes(&self, name: &str) -> Option<&Arg> {
-        let is_short = |flag: &&Arg| {
-            flag.get_short().is_some_and(|letter| name.eq_ignore_ascii_case(&letter.to_string()))
-        };
-        let long = self.long(name).or_else(|| {
-            let small = name.to_ascii_lowercase();
-            self.longs().into_iter().find(|long| *long == small.replace('_', "-"))
-        });
-        let mut all = self.all.iter();
-        let is_it = |flag: &&Arg| long.is_some() && flag.get_long() == long || is_short(flag);
-        all.find(is_it)
-    }
-
-    /// Whether the word behind `word` is its value.
-    fn takes_next(&self, word: &str) -> bool {
-        let Some(name) = word.strip_prefix('-') else { return false };
-        let name = name.trim_start_matches('-');
-        let is_it = |flag: &&Arg| {
-            flag.get_long() == Some(name)
-                || flag.get_short().is_some_and(|letter| name == letter.to_string())
-        };
-        let flag = self.all.iter().find(is_it);
-        flag.is_some_and(|flag| flag.get_action().takes_values() && !flag.is_require_equals_set())
-    }
-
-    fn longs(&self) -> Vec<&str> {
-        self.all.iter().filter_map(Arg::get_long).collect()
-    }
-
     /// What to say of `said`, which is no flag here.
     fn unknown(&self, words: &[String], said: &str) -> Option<Refusal> {
         if let Some(refusal) = unit_as_flag(words, said) {
@@ -289,16 +264,9 @@ impl Flags {
 
     /// What to say of a negative number behind a flag that takes none.
     fn negative(&self, words: &[String], said: &str) -> Refusal {
-        let at = words.iter().position(|word| word == said);
-        let before = at.and_then(|k| words.get(k.checked_sub(1)?));
-        let flag = before.and_then(|word| {
-            let name = word.trim_start_matches('-');
-            let is_it = |flag: &&Arg| {
-                flag.get_long() == Some(name)
-                    || flag.get_short().is_some_and(|letter| name == letter.to_string())
-            };
-            self.all.iter().filter(|flag| flag.get_action().takes_values()).find(is_it)
-        });
+        let before = before(words, said);
+        let flag = before.and_then(|word| self.called(word));
+        let flag = flag.filter(|flag| flag.get_action().takes_values());
         match (before, flag) {
             (Some(before), Some(flag)) => Refusal {
                 why: format!("{before} {said} is not possible: it cannot be negative"),
@@ -319,10 +287,7 @@ impl Flags {
             _ => return None,
         };
         let name = flag.split_whitespace().next()?;
-        let flag = self
-            .all
-            .iter()
-            .find(|flag| flag.get_long().is_some_and(|l| name == format!("--{l}")))?;
+        let flag = self.called(name)?;
         Some(Refusal {
             why: format!("{name} {value} is not possible: it is a whole number, {least} or more"),
             way_out: usage(flag),

@@ -12,18 +12,18 @@ use std::process::ExitCode;
 
 pub(super) use self::arguments::PlotArguments;
 use self::arguments::{
-    ColourName, EnergyArguments, ForcesArguments, FrameArguments, HistoryArguments, Kind,
-    ReadingArguments, SpeedsArguments, TrajectoryArguments, VelocityArguments,
+    EnergyArguments, ForcesArguments, FrameArguments, HistoryArguments, Kind, OneFrame,
+    ReadingArguments, SpeedsArguments, TrajectoryArguments,
 };
-pub(super) use self::error::PlotError;
-pub(super) use self::input::FrameFile;
+pub(super) use self::error::bad_out;
+use self::error::{bad_file, no_velocities};
+pub(super) use self::input::{FrameFile, ledger};
 use self::input::{one_file, read_table};
 pub(super) use self::progress::Progress;
 pub(super) use self::target::Target;
-use super::Failure;
+use super::failure::Failure;
+use super::refusal::Refusal;
 use super::told::Told;
-use crate::analysis::energy::LedgerRow;
-use crate::echo;
 use crate::figure::animation::{self, Animation};
 use crate::figure::forces::{discs, links};
 use crate::figure::frame::{Choice, ColourBy, has_velocities};
@@ -32,8 +32,8 @@ use crate::figure::paths::{MOST_PATHS, Paths, Travel};
 use crate::figure::speeds::{Histogram, Moments};
 use crate::figure::survey::Survey;
 use crate::figure::{drift, energy, forces, frame, paths, speeds, velocity};
+use crate::number::shortest;
 use crate::output::frames::Frame;
-use crate::output::number::counted;
 use crate::output::record;
 use crate::scenario::settings::Settings;
 
@@ -57,13 +57,24 @@ pub(super) fn plot(arguments: &PlotArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The one file of frames of a picture.
+/// The one file of frames of a picture of this `kind`.
 fn frame_file(
     kind: &'static str,
     files: &[PathBuf],
     reading: &ReadingArguments,
 ) -> Result<FrameFile, Failure> {
     Ok(FrameFile::with_columns(one_file(kind, files)?, reading.columns.clone()))
+}
+
+/// The file of one frame, where its picture goes, and the frame with its number.
+fn one_frame(
+    kind: &'static str,
+    of: &OneFrame,
+) -> Result<(FrameFile, Target, usize, Frame), Failure> {
+    let file = frame_file(kind, &of.files, &of.reading)?;
+    let target = Target::new(of.out.as_deref(), kind, "svg")?;
+    let (index, one) = file.frame(of.frame)?;
+    Ok((file, target, index, one))
 }
 
 /// Draws `drift.csv` and the `drift_energy.csv` beside it.
@@ -76,23 +87,14 @@ pub(super) fn plot_drift(file: &Path, target: &Target) -> Result<(), Failure> {
 }
 
 fn plot_frame(arguments: &FrameArguments) -> Result<(), Failure> {
-    let file = frame_file("frame", &arguments.files, &arguments.reading)?;
-    let target = Target::new(arguments.out.as_deref(), "frame", "svg")?;
-    let (index, one) = file.frame(arguments.frame)?;
+    let (file, target, index, one) = one_frame("frame", &arguments.of)?;
     let has_velocities = has_velocities(&one);
-    let needs_them = arguments.vectors || arguments.colour == Some(ColourName::Speed);
+    let needs_them = arguments.vectors || arguments.colour == Some(ColourBy::Speed);
     if needs_them && !has_velocities {
-        return Err(
-            PlotError::no_velocities(&file.path, "leave out --vectors and --colour speed").into()
-        );
+        return Err(no_velocities(&file.path, "leave out --vectors and --colour speed").into());
     }
-    let by = match arguments.colour {
-        Some(ColourName::Radius) => ColourBy::Radius,
-        Some(ColourName::None) => ColourBy::Nothing,
-        Some(ColourName::Speed) => ColourBy::Speed,
-        None if has_velocities => ColourBy::Speed,
-        None => ColourBy::Nothing,
-    };
+    let usual = if has_velocities { ColourBy::Speed } else { ColourBy::Nothing };
+    let by = arguments.colour.unwrap_or(usual);
     let choice = Choice { by, vectors: arguments.vectors };
     let data = target.data(&file.path)?;
     let script = frame::script(&target.stem, &data, index, &one, choice);
@@ -181,32 +183,12 @@ fn plot_animation(arguments: &TrajectoryArguments) -> Result<(), Failure> {
     }
 }
 
-/// The finite rows of an energy ledger, at least two.
-pub(super) fn ledger(path: &Path) -> Result<Vec<LedgerRow>, Failure> {
-    let mut rows = read_table(path, "energy", crate::output::energy::read)?;
-    let read = rows.len();
-    rows.retain(energy::is_finite);
-    if rows.len() < 2 {
-        let why = format!("{} of its {read} rows are finite; two are needed", rows.len());
-        return Err(PlotError::bad_file(path, &why, "another run, with a smaller time step").into());
-    }
-    if rows.len() < read {
-        let left_out = read - rows.len();
-        input::remark(&format!(
-            "{}: {} left out, with numbers that are not finite",
-            echo::path(path),
-            counted(left_out, "row")
-        ));
-    }
-    Ok(rows)
-}
-
 fn plot_energy(arguments: &EnergyArguments) -> Result<(), Failure> {
     let target = Target::new(arguments.out.as_deref(), "energy", "svg")?;
     let named = |path: &PathBuf| Ok((path.display().to_string(), ledger(path)?));
     let runs = arguments.files.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
     let data = arguments.files.iter().map(|path| target.data(path));
-    let data = data.collect::<Result<Vec<_>, PlotError>>()?;
+    let data = data.collect::<Result<Vec<_>, Refusal>>()?;
     match (runs.as_slice(), data.as_slice()) {
         ([(_, rows)], [data]) => {
             target.write(&energy::figure(rows), &energy::script(&target.stem, data, rows))
@@ -218,23 +200,17 @@ fn plot_energy(arguments: &EnergyArguments) -> Result<(), Failure> {
     }
 }
 
-fn plot_velocity(arguments: &VelocityArguments) -> Result<(), Failure> {
-    let file = frame_file("velocity", &arguments.files, &arguments.reading)?;
-    let target = Target::new(arguments.out.as_deref(), "velocity", "svg")?;
-    let (index, one) = file.frame(arguments.frame)?;
+fn plot_velocity(arguments: &OneFrame) -> Result<(), Failure> {
+    let (file, target, index, one) = one_frame("velocity", arguments)?;
     if !has_velocities(&one) {
-        return Err(
-            PlotError::no_velocities(&file.path, "parsim2d plot frame, which needs none").into()
-        );
+        return Err(no_velocities(&file.path, "parsim2d plot frame, which needs none").into());
     }
     let script = velocity::script(&target.stem, &target.data(&file.path)?, index, &one);
     target.write(&velocity::figure(&one), &file.script(script))
 }
 
 fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
-    let file = frame_file("forces", &arguments.files, &arguments.reading)?;
-    let target = Target::new(arguments.out.as_deref(), "forces", "svg")?;
-    let (_, one) = file.frame(arguments.frame)?;
+    let (file, target, _, one) = one_frame("forces", &arguments.of)?;
     let scenario = arguments.scenario(law_beside(&file, &one, arguments))?;
     if !has_velocities(&one) {
         input::remark("the frame has no velocities; dashpots are taken to be at rest");
@@ -242,7 +218,7 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
     match (one.has_masses(), arguments.mass) {
         (false, _) => input::remark(&format!(
             "the frame has no masses; each disc is taken to have {} kg (--mass)",
-            scenario.mass
+            shortest(scenario.mass)
         )),
         (true, Some(_)) => input::remark("the frame has the mass of each disc; --mass is not used"),
         (true, None) => {}
@@ -257,7 +233,7 @@ fn plot_forces(arguments: &ForcesArguments) -> Result<(), Failure> {
 /// flags must say the law; what they leave open is told.
 fn law_beside(file: &FrameFile, frame: &Frame, arguments: &ForcesArguments) -> Option<Settings> {
     let record = file.path.with_file_name(record::FILE);
-    let told = Told::read(&record).and_then(|told| told.of(frame, arguments.frame.is_none()));
+    let told = Told::read(&record).and_then(|told| told.of(frame, arguments.of.frame.is_none()));
     let why = match told {
         Ok(Told { said: Ok((settings, _)), .. }) => return Some(settings),
         Ok(Told { said: Err(why), .. }) => why.to_string(),
@@ -286,7 +262,7 @@ pub(super) fn pooled_speeds(file: &FrameFile, until: Option<usize>) -> Result<Hi
         Ok(())
     })?;
     if !has_them {
-        return Err(PlotError::no_velocities(&file.path, "").into());
+        return Err(no_velocities(&file.path, "").into());
     }
     let mut histogram = Histogram::new(moments);
     file.each_frame(until, |_, frame| {
@@ -297,14 +273,14 @@ pub(super) fn pooled_speeds(file: &FrameFile, until: Option<usize>) -> Result<Hi
 }
 
 fn plot_speeds(arguments: &SpeedsArguments) -> Result<(), Failure> {
-    let file = frame_file("speeds", &arguments.files, &arguments.reading)?;
-    let target = Target::new(arguments.out.as_deref(), "speeds", "svg")?;
+    let file = frame_file("speeds", &arguments.of.files, &arguments.of.reading)?;
+    let target = Target::new(arguments.of.out.as_deref(), "speeds", "svg")?;
     let (time, histogram) = if arguments.pool {
         (None, pooled_speeds(&file, arguments.until)?)
     } else {
-        let (_, one) = file.frame(arguments.frame)?;
+        let (_, one) = file.frame(arguments.of.frame)?;
         if !has_velocities(&one) {
-            return Err(PlotError::no_velocities(&file.path, "").into());
+            return Err(no_velocities(&file.path, "").into());
         }
         let mut moments = Moments::default();
         moments.add(&one);
@@ -327,7 +303,7 @@ fn plot_history(arguments: &HistoryArguments) -> Result<(), Failure> {
     let n = first.rows.len();
     let quantities: Vec<Quantity> = match arguments.quantities[..] {
         [] => vec![Quantity::Y],
-        ref said => said.iter().map(|name| name.quantity()).collect(),
+        ref said => said.to_vec(),
     };
     let discs = match arguments.disc[..] {
         [] => (0..if n <= FEW { n } else { 1 }).collect(),
@@ -336,10 +312,10 @@ fn plot_history(arguments: &HistoryArguments) -> Result<(), Failure> {
     if let Some(disc) = discs.iter().find(|disc| **disc >= n) {
         let last = n.saturating_sub(1);
         let why = format!("disc {disc} was asked for; its frames hold discs 0 to {last}");
-        return Err(PlotError::bad_file(&file.path, &why, &format!("--disc {last}")).into());
+        return Err(bad_file(&file.path, &why, &format!("--disc {last}")).into());
     }
     if quantities.iter().any(|quantity| quantity.is_of_velocity()) && !has_velocities(&first) {
-        return Err(PlotError::no_velocities(&file.path, "x and y only").into());
+        return Err(no_velocities(&file.path, "x and y only").into());
     }
     let mut history = History::begin(discs, quantities);
     file.each_frame(arguments.until, |_, frame| {

@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use super::Failure;
+use super::failure::Failure;
+use crate::number::shortest;
 use crate::scenario::preset::Preset;
 
 pub(super) fn print() -> Result<ExitCode, Failure> {
@@ -19,14 +20,14 @@ pub(super) fn print() -> Result<ExitCode, Failure> {
         let (_, nt) = values.step.flag_and_value();
         writeln!(
             out,
-            "{:<18} {:>4} {:>7} {:>7e} {:>6e} {:>7e}  {:<16} {nt}",
+            "{:<18} {:>4} {:>7} {:>7} {:>6} {:>7}  {:<16} {nt}",
             preset.name(),
             values.n,
             values.side,
-            values.radius,
-            values.mass,
-            values.stiffness,
-            format!("{flag} {damping:e}")
+            shortest(values.radius),
+            shortest(values.mass),
+            shortest(values.stiffness),
+            format!("{flag} {}", shortest(damping))
         )?;
     }
     Ok(ExitCode::SUCCESS)

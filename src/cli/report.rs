@@ -7,13 +7,13 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::claim::shown;
-use super::plot::{FrameFile, ledger};
+use super::answer;
+use super::failure::Failure;
+use super::plot::{FrameFile, bad_out, ledger};
 use super::refusal::Refusal;
 use super::say::say;
 use super::told::{Told, Untold};
-use super::typed::quoted;
-use super::{Failure, answer};
+use super::typed::{quoted, shown};
 use crate::analysis::energy::LedgerRow;
 use crate::echo;
 use crate::figure::Figure;
@@ -54,25 +54,6 @@ pub(super) struct ReportArguments {
     name: Option<String>,
 }
 
-/// Why there is no report. Nothing has been written when this is returned.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum ReportError {
-    #[error(
-        "{} tells of no run: {source}\n  way out: run parsim2d in that folder first, or name another folder",
-        echo::path(path)
-    )]
-    NoRun { path: PathBuf, source: io::Error },
-    #[error("--out {} is not possible: {why}\n  way out: --out report.html", echo::path(path))]
-    BadOut { path: PathBuf, why: &'static str },
-    #[error(
-        "{} does not tell of the run in that folder: {why}\n  \
-         way out: a folder as a run of parsim2d left it; pictures need no record: parsim2d plot trajectory \
-         trajectory.txt",
-        path.display()
-    )]
-    NotOfThisRun { path: PathBuf, why: String },
-}
-
 pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     let folder = &arguments.folder;
     if folder.is_file() {
@@ -83,7 +64,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
     }
     let out = arguments.out.clone().unwrap_or_else(|| folder.join("report.html"));
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html")) {
-        return Err(ReportError::BadOut { path: out, why: "the report is a .html file" }.into());
+        return Err(bad_out(&out, "the report is a .html file", "--out report.html").into());
     }
     let report = Report { name: arguments.name.clone(), ..gathered(folder, &out)? };
     let html = report.html(&ENGLISH);
@@ -95,10 +76,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<ExitCode, Failure> {
 /// Everything there is to show of the run in `folder`, linked to from `out`.
 fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
     let path = folder.join(record::FILE);
-    let untold = |why: Untold| match why {
-        Untold::Unreadable(source) => ReportError::NoRun { path: path.clone(), source },
-        Untold::Unfit(why) => ReportError::NotOfThisRun { path: path.clone(), why },
-    };
+    let untold = |why: Untold| untold(&path, why);
     let told = Told::read(&path).map_err(untold)?;
     let frames = FrameFile::named(&folder.join("trajectory.txt"));
     let (whole, cut) = frames.whole()?;
@@ -132,6 +110,22 @@ fn gathered(folder: &Path, out: &Path) -> Result<Report, Failure> {
         film: seen.film,
         data: data(folder, out),
     })
+}
+
+/// Why the record at `path` is of no use.
+fn untold(path: &Path, why: Untold) -> Refusal {
+    match why {
+        Untold::Unreadable(source) => Refusal {
+            why: format!("{} tells of no run: {source}", echo::path(path)),
+            way_out: "run parsim2d in that folder first, or name another folder".to_owned(),
+        },
+        Untold::Unfit(why) => Refusal {
+            why: format!("{} does not tell of the run in that folder: {why}", path.display()),
+            way_out: "a folder as a run of parsim2d left it; pictures need no record: parsim2d plot trajectory \
+                      trajectory.txt"
+                .to_owned(),
+        },
+    }
 }
 
 /// The lines of a record without its results.

@@ -4,16 +4,18 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::Args;
+use clap::{Args, Command};
 use glam::DVec2;
 use rand::TryRng;
 
-use super::claim::{Claim, keep_start, shown};
+use super::claim::{Claim, keep_start};
+use super::failure::Failure;
 use super::file_kind::{FileKind, near_scenario};
 use super::interrupt::Interrupt;
+use super::mistyped::unknown_command;
 use super::terminal::{Terminal, placing_spinner};
-use super::typed::{self, quoted};
-use super::{Failure, answer, memory, say};
+use super::typed::{self, quoted, shown};
+use super::{answer, memory, say};
 use crate::analysis::energy::MechanicalEnergy;
 use crate::output::OutputError;
 use crate::output::failure::FailureReport;
@@ -39,8 +41,8 @@ pub(super) struct RunArguments {
     print_config: bool,
 }
 
-pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, Failure> {
-    let (scenario, seed_was_drawn) = scenario(arguments)?;
+pub(super) fn run(arguments: &RunArguments, command: &Command) -> Result<ExitCode, Failure> {
+    let (scenario, seed_was_drawn) = scenario(arguments, command)?;
     if arguments.print_config {
         io::stdout().write_all(scenario.to_toml().as_bytes())?;
         return Ok(ExitCode::SUCCESS);
@@ -154,11 +156,14 @@ fn read(path: &Path) -> Result<Settings, Failure> {
 }
 
 /// Flags over file over preset; and whether a seed was drawn that matters.
-pub(super) fn scenario(arguments: &RunArguments) -> Result<(Scenario, bool), Failure> {
+pub(super) fn scenario(
+    arguments: &RunArguments,
+    command: &Command,
+) -> Result<(Scenario, bool), Failure> {
     let said = match &arguments.scenario {
         // `radius=0.5mm` has an ending, and is no file.
         Some(path) if (path.extension().is_none() || is_assignment(path)) && !path.exists() => {
-            return Err(Failure::unknown_command(&path.to_string_lossy()));
+            return Err(unknown_command(command, &path.to_string_lossy()));
         }
         Some(path) => arguments.settings.clone().over(read(path)?),
         None => arguments.settings.clone(),

@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::interrupt::Interrupt;
 use super::say::say;
-use crate::output::number::seconds;
+use crate::number::seconds;
 use crate::session::{Onlooker, Session};
 use crate::simulation::Simulation;
 

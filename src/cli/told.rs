@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
+use crate::number::shortest;
 use crate::output::frames::Frame;
 use crate::output::place::plain_text;
 use crate::output::record;
@@ -87,7 +88,9 @@ impl Told {
         let (dt, seen) = (scenario.dt(), time / step as f64);
         if step > 0 && differs(dt, seen) {
             return Some(other(format!(
-                "its time step is {dt:e} s, that of the frames {seen:e} s"
+                "its time step is {} s, that of the frames {} s",
+                shortest(dt),
+                shortest(seen)
             )));
         }
         let done = record::results(&self.text).find(|(name, _)| *name == "steps")?.1;

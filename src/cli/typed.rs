@@ -1,5 +1,7 @@
 //! The command line as it was typed.
 
+use std::path::Path;
+
 use crate::output::written::Written;
 
 /// Flags that change no file of a run: where it writes, how often checkpoints, who computes it.
@@ -66,4 +68,11 @@ pub(super) fn quoted(word: &str) -> String {
     }
     let one_line = word.replace(|c: char| c.is_control(), " ");
     format!("'{}'", one_line.replace('\'', r"'\''"))
+}
+
+/// `path` as a person would type it.
+pub(super) fn shown(path: &Path) -> String {
+    let bare = path.strip_prefix(".").unwrap_or(path);
+    let said = if bare.as_os_str().is_empty() { path } else { bare }; // `.` itself
+    said.to_string_lossy().into_owned()
 }

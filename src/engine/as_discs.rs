@@ -8,6 +8,7 @@ use super::pairs::Interaction;
 use super::since::{Resized, Since};
 use super::stepper::Engine;
 use crate::discs::columns::ColumnsView;
+use crate::discs::overlaps::Overlaps;
 use crate::discs::{Discs, LeanSnapshot, Remembered, Snapshot};
 use crate::force::Force;
 use crate::integrator::Motion;
@@ -53,6 +54,10 @@ impl<I: Interaction> Discs for Engine<I> {
 
     fn has_ledger(&self) -> bool {
         !self.columns.springs.is_empty()
+    }
+
+    fn overlaps(&self) -> Overlaps {
+        self.columns.overlaps
     }
 
     fn works(&self) -> &Works {

@@ -55,20 +55,6 @@ impl<I: Interaction> Engine<I> {
         self.places().iter().map(|&place| self.particle_at(place as usize)).collect()
     }
 
-    /// The discs as a list sees them: each with the range in which it acts for a radius.
-    pub(super) fn to_be_listed(&self) -> Vec<Particle> {
-        use super::PairLaw;
-        let law = self.interaction.pairs();
-        let fixed = self.bodies();
-        let listed = |place: usize| {
-            let mut particle = self.particle_at(place);
-            let kind = fixed.kinds.get(place).copied().unwrap_or(0);
-            particle.radius = law.range(particle.radius, kind).max(particle.radius);
-            particle
-        };
-        (0..self.phases.len()).map(listed).collect()
-    }
-
     /// Where the disc of each id is stored.
     pub(super) fn places(&self) -> &[u32] {
         self.places.get_or_init(|| {

@@ -1,27 +1,30 @@
 //! Square cells, each named by a key, and discs sorted by them.
 //!
-//! There is no table of cells: what is kept is the sorted keys of the discs. A few discs far away cost a
-//! few digits of the keys, and no cell becomes larger by them.
+//! What is kept is the sorted keys of the discs, and a table of cells only where these are not many more. A few
+//! discs far away cost a few digits of the keys, and no cell becomes larger by them.
 
 use glam::{DVec2, Vec2Swizzles};
 
+use super::phase::Phase;
 use super::sizes::Sizes;
 use super::workers::Workers;
-use crate::particle::Particle;
 
 /// Cells on either side of the middle of the discs, at most; what lies beyond is in the last ones. Numbers
 /// of up to 31 bits leave 22 of a position for where in its cell a disc is.
 const CELLS_AROUND: f64 = (1_u64 << 30) as f64;
 
 /// Cells are wider than asked for by this much, for the rounding of those 22 bits.
-const MARGIN: f64 = 1e-5;
+pub(super) const MARGIN: f64 = 1e-5;
+
+/// Cells of which a table is made, for each disc, at most.
+const CELLS_PER_DISC: usize = 4;
 
 /// Bits by which discs are sorted at a time: the counts of so many digits stay in the nearest memory.
 const DIGIT: u32 = 11;
 
 /// Square cells over all discs. Keys ascend along the shorter side of where most discs are, so that
 /// neighbours in the next row lie near in memory.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Grid {
     corner: DVec2, // m
     per_metre: f64,
@@ -60,33 +63,94 @@ impl Grid {
         let cell = if self.is_upright { cell.yx() } else { cell };
         // `as` sends negative numbers and NaN to 0 and large ones to the last cell. Column 0 is that beyond
         // the last one, and there is a row before the first.
-        let column = (cell.x as u64).min(self.last_column) + 1;
-        ((cell.y as u64).min(self.last_row) + 1) * self.row + column
+        let column = u64::from(cell.x as u32).min(self.last_column) + 1;
+        (u64::from(cell.y as u32).min(self.last_row) + 1) * self.row + column
     }
 
     /// The cells of discs.
-    pub fn keys(&self, particles: &[Particle], workers: &Workers) -> Vec<u64> {
-        let mut keys = vec![0; particles.len()];
+    pub fn keys(&self, phases: &[Phase], workers: &Workers) -> Vec<u64> {
+        let mut keys = vec![0; phases.len()];
         workers.pieces(&mut keys, |first, keys| {
-            keys.iter_mut()
-                .zip(&particles[first..])
-                .for_each(|(key, p)| *key = self.key(p.position));
+            let discs = keys.iter_mut().zip(&phases[first..]);
+            discs.for_each(|(key, p)| *key = self.key(p.position()));
         });
         keys
     }
 
-    /// The order in which discs are to be stored: for each place, where its disc is now. Discs of a cell
-    /// follow each other by id, so that two at exactly one place are always the same first and second of
-    /// their contact.
-    pub fn order(&self, particles: &[Particle], ids: &[u32], workers: &Workers) -> Vec<u32> {
-        let keys = self.keys(particles, workers);
-        let key = |now: u32| keys[now as usize];
-        let mut order: Vec<u32> = (0..particles.len() as u32).collect();
-        sort_by_key(&mut order, |now| key(*now));
-        for cell in order.chunk_by_mut(|a, b| key(*a) == key(*b)).filter(|cell| cell.len() > 1) {
-            cell.sort_unstable_by_key(|&now| ids[now as usize]);
+    /// The order in which discs are to be stored: for each place, where its disc is now; and how they lie in the cells
+    /// then. Discs of a cell follow each other by id, so that two at exactly one place are always the same first and second
+    /// of their contact.
+    pub fn order(&self, phases: &[Phase], ids: &[u32], workers: &Workers) -> (Vec<u32>, InCells) {
+        let keys = self.keys(phases, workers);
+        let (mut order, starts) = self.sort(&keys);
+        let keys: Vec<u64> = order.iter().map(|&now| keys[now as usize]).collect();
+        let mut rest = &mut order[..];
+        for cell in keys.chunk_by(|a, b| a == b) {
+            let here;
+            (here, rest) = rest.split_at_mut(cell.len());
+            if here.len() > 1 {
+                here.sort_unstable_by_key(|&now| ids[now as usize]);
+            }
         }
-        order
+        (order, InCells { grid: *self, keys, starts })
+    }
+
+    /// The order of discs in cells of these keys, those of one cell as they come, and where each cell begins in it.
+    pub fn sort(&self, keys: &[u64]) -> (Vec<u32>, Starts) {
+        let starts = Starts::of(self, keys);
+        let mut order: Vec<u32> = (0..keys.len() as u32).collect();
+        if keys.is_sorted() {
+            // They are in order.
+        } else if starts.are_known() {
+            let mut next = starts.0.clone();
+            for (disc, key) in (0..).zip(keys) {
+                let next = &mut next[*key as usize];
+                order[*next as usize] = disc;
+                *next += 1;
+            }
+        } else {
+            sort_by_key(&mut order, |disc| keys[*disc as usize]);
+        }
+        (order, starts)
+    }
+}
+
+/// How discs lie in cells that follow each other.
+pub(super) struct InCells {
+    pub grid: Grid,
+    /// The cells of the discs, ascending.
+    pub keys: Vec<u64>,
+    pub starts: Starts,
+}
+
+/// Where cells begin among discs sorted by them: for each key how many discs have lesser ones. Not known where cells are many
+/// more than discs.
+pub(super) struct Starts(Vec<u32>);
+
+impl Starts {
+    /// Those of discs in cells of these keys.
+    pub fn of(grid: &Grid, keys: &[u64]) -> Self {
+        let cells = (grid.last_row + 3).saturating_mul(grid.row) + 2; // to two after the last that touches one
+        if cells > (CELLS_PER_DISC * keys.len() + 64) as u64 {
+            return Self(Vec::new());
+        }
+        let mut starts = vec![0; cells as usize];
+        keys.iter().for_each(|key| starts[*key as usize] += 1);
+        let mut start = 0;
+        for here in &mut starts {
+            (*here, start) = (start, start + *here);
+        }
+        Self(starts)
+    }
+
+    pub fn are_known(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// Where the cell of this key begins, or would.
+    #[inline(always)]
+    pub fn of_cell(&self, key: u64) -> usize {
+        self.0[key as usize] as usize
     }
 }
 
@@ -136,6 +200,7 @@ pub(super) fn put_in_order(order: &mut [u32], mut swap: impl FnMut(usize, usize)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::sizes::Extents;
 
     #[test]
     fn what_is_put_in_order_lies_where_the_order_says() {
@@ -174,17 +239,17 @@ mod tests {
             |place| if place.x < 0.01 { 1e12 * place } else { place },
         ];
         for kind in kinds {
-            let discs: Vec<_> =
-                (0..400).map(|k| Particle::at_rest(kind(spread(k)), 0.01, 1.0)).collect();
-            let ids: Vec<u32> = (0..400).collect();
-            let (reach, sizes) = (0.05, Sizes::of(&discs, &ids, &Workers::of(1)));
+            let places: Vec<_> = (0..400).map(|k| kind(spread(k))).collect();
+            let phases: Vec<_> = places.iter().map(|p| Phase::new(*p, DVec2::ZERO)).collect();
+            let (discs, ids) = (Extents { phases: &phases, radii: &[0.01; 400] }, &[0; 400]);
+            let (reach, sizes) = (0.05, Sizes::of(discs, ids, &Workers::of(1)));
             let grid = Grid::new(&sizes, reach);
-            for (k, p) in discs.iter().enumerate() {
-                let key = grid.key(p.position);
+            for (k, p) in places.iter().enumerate() {
+                let key = grid.key(*p);
                 let around = [key - grid.row, key, key + grid.row];
-                for q in &discs[..k] {
-                    let other = grid.key(q.position);
-                    let is_near = p.position.distance(q.position) < reach;
+                for q in &places[..k] {
+                    let other = grid.key(*q);
+                    let is_near = p.distance(*q) < reach;
                     let touch = around.iter().any(|key| other.abs_diff(*key) <= 1);
                     assert!(touch || !is_near, "{p:?} {q:?}");
                 }

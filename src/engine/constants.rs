@@ -7,7 +7,7 @@ use super::phase::Size;
 use super::workers::Workers;
 
 /// Pairs in a chunk; of them, as many are worked on at a time as a processor has lanes.
-pub(super) const CHUNK: usize = 64;
+pub(super) const CHUNK: usize = 128;
 
 /// Constants of each near pair, in the order of the pairs, and of a chunk more than there are; empty for discs of one size.
 #[derive(Default)]

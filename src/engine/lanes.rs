@@ -7,10 +7,18 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use wide::{CmpGt, CmpLt, f64x4};
 
+use super::group;
+
 /// Four numbers.
 pub trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
+    /// The numbers in which this processor works contacts out.
+    type Group: group::Group;
+
+    /// Some of them.
+    fn group(self) -> Self::Group;
+
     /// Does `work` in a function of its own, made for this processor: the compiler looks at a loop alone there, and
     /// takes choices out of it that it leaves in a loop among many.
     fn apart(self, work: impl FnOnce());
@@ -27,12 +35,6 @@ pub trait Lanes:
     /// Square roots.
     fn sqrt(self) -> Self;
 
-    /// The numbers that are above 0, and 0 for the others.
-    fn or_zero(self) -> Self;
-
-    /// The lesser of each two; the second if one is no number.
-    fn lesser(self, other: Self) -> Self;
-
     /// The greater of each two; the second if one is no number.
     fn greater(self, other: Self) -> Self;
 
@@ -48,14 +50,11 @@ pub trait Lanes:
     /// What is left of this where `mask` has all bits; 0 where it has none.
     fn where_all(self, mask: Self) -> Self;
 
-    /// This where `mask` has all bits, `other` where it has none.
-    fn or_else(self, mask: Self, other: Self) -> Self;
-
     /// All bits of both masks.
     fn or_where(self, other: Self) -> Self;
 
     /// Whether a mask has a bit.
-    fn is_any(self) -> bool;
+    fn has_any(self) -> bool;
 
     /// (a0, a1, a2, a3), (b0, ..), .. as (a0, b0, c0, d0), (a1, ..), ..
     fn transposed(rows: [Self; 4]) -> [Self; 4];
@@ -75,6 +74,11 @@ pub trait Lanes:
 
 /// On any processor.
 impl Lanes for f64x4 {
+    type Group = Self;
+    #[inline(always)]
+    fn group(self) -> Self {
+        self
+    }
     #[inline(never)]
     fn apart(self, work: impl FnOnce()) {
         work();
@@ -94,14 +98,6 @@ impl Lanes for f64x4 {
     #[inline(always)]
     fn sqrt(self) -> Self {
         Self::sqrt(self)
-    }
-    #[inline(always)]
-    fn or_zero(self) -> Self {
-        self.cmp_gt(Self::ZERO) & self
-    }
-    #[inline(always)]
-    fn lesser(self, other: Self) -> Self {
-        self.fast_min(other)
     }
     #[inline(always)]
     fn greater(self, other: Self) -> Self {
@@ -125,15 +121,11 @@ impl Lanes for f64x4 {
         self & mask
     }
     #[inline(always)]
-    fn or_else(self, mask: Self, other: Self) -> Self {
-        mask.blend(self, other)
-    }
-    #[inline(always)]
     fn or_where(self, other: Self) -> Self {
         self | other
     }
     #[inline(always)]
-    fn is_any(self) -> bool {
+    fn has_any(self) -> bool {
         self.move_mask() != 0
     }
     #[inline(always)]

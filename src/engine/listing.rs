@@ -5,12 +5,11 @@ use super::cells::{Grid, put_in_order};
 use super::levels::usual_radius;
 use super::neighbour_list::{Listed, NeighbourList, widest_skin};
 use super::pairs::Interaction;
-use super::sizes::Sizes;
+use super::phase::Size;
+use super::sizes::{Extents, Sizes};
 use super::stepper::Engine;
 use super::workers::Workers;
-use crate::discs::columns::Columns;
 use crate::pair::PairLaw;
-use crate::particle::Particle;
 
 impl<I: Interaction> Engine<I> {
     /// Stores the discs in this order: for each place, where its disc is now. What lies beside the discs
@@ -34,19 +33,28 @@ impl<I: Interaction> Engine<I> {
     pub(super) fn list(&mut self) {
         self.memory.put_by(&self.list, &self.columns.ids);
         self.moment.list();
-        let listed = self.to_be_listed();
-        let sizes = Sizes::of(&listed, &self.columns.ids, &self.workers);
+        let radii = self.ranges();
+        let (discs, ids) = (Extents { phases: &self.phases, radii: &radii }, &self.columns.ids);
+        let sizes = Sizes::of(discs, ids, &self.workers);
         let travel = (sizes.fastest * self.dt).min(sizes.largest_radius);
         // The cells of the median disc, however large the largest.
         let skin = widest_skin(&sizes, travel);
-        let usual = usual_radius(&listed, &sizes, skin);
-        let grid = Grid::new(&sizes, 2.0 * usual + skin);
-        self.store(&mut grid.order(&listed, &self.columns.ids, &self.workers));
-        let particles = &self.to_be_listed()[..];
-        self.make_list(particles, |list, listed, workers| {
-            list.make(listed, &sizes, travel, workers)
-        });
-        self.after_listing();
+        let grid = Grid::new(&sizes, 2.0 * usual_radius(&radii, &sizes, skin) + skin);
+        drop(radii);
+        let (mut order, stored) = grid.order(&self.phases, ids, &self.workers);
+        self.store(&mut order);
+        drop(order);
+        self.make_list(|list, listed, workers| list.make(listed, &sizes, stored, travel, workers));
+    }
+
+    /// Half of the distance of centres up to which each disc acts on its like, m, or its radius if that is more.
+    fn ranges(&self) -> Vec<f64> {
+        let (law, kinds) = (self.interaction.pairs(), &self.columns.kinds);
+        let range = |(place, size): (usize, &Size)| {
+            let kind = kinds.get(place).copied().unwrap_or(0);
+            law.range(size.radius, kind).max(size.radius)
+        };
+        self.sizes.iter().enumerate().map(range).collect()
     }
 
     /// A list of the discs wherever they are stored, good for the energy of the present state.
@@ -55,28 +63,19 @@ impl<I: Interaction> Engine<I> {
         restore: impl FnOnce(&mut NeighbourList, Listed, &Workers),
     ) {
         self.memory.put_by(&self.list, &self.columns.ids);
-        self.make_list(&self.to_be_listed(), restore);
+        self.make_list(restore);
+    }
+
+    fn make_list(&mut self, make: impl FnOnce(&mut NeighbourList, Listed, &Workers)) {
+        let radii = &self.ranges()[..];
+        let Self { phases, planes, walls, boundary, list, workers, .. } = self;
+        let (discs, ids) = (Extents { phases, radii }, &self.columns.ids[..]);
+        let (boundary, time) = (*boundary, self.moment.of_forces());
+        make(list, Listed { discs, ids, boundary, planes, walls, time }, workers);
         self.after_listing();
     }
 
-    pub(super) fn make_list(
-        &mut self,
-        particles: &[Particle],
-        make: impl FnOnce(&mut NeighbourList, Listed, &Workers),
-    ) {
-        let Self { columns: Columns { ids, .. }, planes, walls, boundary, list, workers, .. } =
-            self;
-        let time = self.moment.of_forces();
-        let may_touch = |disc: &Particle, skin: f64| {
-            let is_near = |distance: f64| distance < disc.radius + skin;
-            planes.iter().any(|plane| is_near(plane.distance(disc.position)))
-                || walls.iter().any(|wall| is_near(wall.nearest(disc.position, time).distance))
-        };
-        let listed = Listed { particles, ids, boundary: *boundary, may_touch: &may_touch };
-        make(list, listed, workers);
-    }
-
-    pub(super) fn after_listing(&mut self) {
+    fn after_listing(&mut self) {
         if self.equal.is_none() {
             self.constants.work_out(&self.list, &self.sizes, &self.workers);
         }

@@ -6,7 +6,11 @@
 
 /// Values with a promise that only numbers below their length are asked for.
 #[derive(Clone, Copy)]
-pub(super) struct Lookup<'a, T>(&'a [T]);
+pub struct Lookup<'a, T>(&'a [T]);
+
+/// A number, as bytes from the first value on: what a processor adds to an address.
+#[derive(Clone, Copy, Default)]
+pub struct Offset(u32);
 
 impl<'a, T> Lookup<'a, T> {
     /// `values`, of which those up to `end` will be asked for. Panics if there are fewer.
@@ -33,6 +37,20 @@ impl<'a, T> Lookup<'a, T> {
         let sides = unsafe { std::slice::from_raw_parts(pairs.as_ptr().cast(), 2 * pairs.len()) };
         // SAFETY: promised by the caller.
         unsafe { Self::new(sides, end) }
+    }
+
+    /// Where the value of this number begins.
+    #[inline(always)]
+    pub fn offset(number: u16) -> Offset {
+        Offset(u32::from(number) * size_of::<T>() as u32)
+    }
+
+    /// The value there; what was said of numbers holds for what offsets were made of.
+    #[inline(always)]
+    pub fn after(&self, Offset(bytes): Offset) -> &'a T {
+        debug_assert!((bytes as usize) < size_of_val(self.0));
+        // SAFETY: as in `at`; an offset is made of a number by `offset` alone.
+        unsafe { &*self.0.as_ptr().byte_add(bytes as usize) }
     }
 
     /// The value of this number.

@@ -59,6 +59,30 @@ impl Masses for &[Size] {
     }
 }
 
+/// The forces on the discs of a block, two discs at a time.
+pub(super) trait Forces<V> {
+    /// The whole forces on the disc of this number and on the next, and the springs' shares, N.
+    fn on_two(&self, first: usize) -> [V; 2];
+}
+
+/// Forces that were kept.
+struct Kept<'a, V> {
+    zero: V,
+    forces: &'a [DVec2],
+    springs: &'a [DVec2],
+}
+
+impl<V: Lanes> Forces<V> for Kept<'_, V> {
+    #[inline(always)]
+    fn on_two(&self, k: usize) -> [V; 2] {
+        let springs = match self.springs.get(k..k + 2) {
+            Some([one, other]) => both(self.zero, [*one, *other]),
+            _ => self.zero,
+        };
+        [both(self.zero, [self.forces[k], self.forces[k + 1]]), springs]
+    }
+}
+
 impl Block<'_> {
     /// Moves the discs and says how far the farthest is from where it was listed: the square of it, m2.
     #[inline(always)]
@@ -87,14 +111,28 @@ impl Block<'_> {
             let listed = self.phases.iter().zip(self.reference_positions);
             return farthest(listed, 0.0);
         };
-        let books = self.books.get(kicks).is_some();
-        let (farthest, booked) = match (self.mass, books) {
-            (Some(mass), false) => self.kick_and_drift::<V, _, false>(zero, One(mass), times),
-            (Some(mass), true) => self.kick_and_drift::<V, _, true>(zero, One(mass), times),
-            (None, false) => self.kick_and_drift::<V, _, false>(zero, self.sizes, times),
-            (None, true) => self.kick_and_drift::<V, _, true>(zero, self.sizes, times),
+        let booked = kicks.min(self.books.len());
+        self.books = &mut std::mem::take(&mut self.books)[booked..];
+        let (forces, springs) = (self.forces, self.springs);
+        self.kick_and_drift(zero, times, &Kept { zero, forces, springs })
+    }
+
+    /// Kicks by the first of `times` and drifts by the second (s), under these `forces`; those on the last disc of an odd
+    /// number are the block's. Says what [`go`](Self::go) does.
+    #[inline(always)]
+    pub fn kick_and_drift<V: Lanes>(
+        mut self,
+        zero: V,
+        times: [f64; 2],
+        forces: &impl Forces<V>,
+    ) -> f64 {
+        let (farthest, booked) = match (self.mass, self.books.is_empty()) {
+            (Some(mass), true) => self.move_all::<V, _, false>(zero, One(mass), times, forces),
+            (Some(mass), false) => self.move_all::<V, _, true>(zero, One(mass), times, forces),
+            (None, true) => self.move_all::<V, _, false>(zero, self.sizes, times, forces),
+            (None, false) => self.move_all::<V, _, true>(zero, self.sizes, times, forces),
         };
-        if let Some(book) = self.books.get_mut(kicks) {
+        if let Some(book) = self.books.first_mut() {
             *book = booked;
         }
         farthest
@@ -132,13 +170,15 @@ impl Block<'_> {
 
     /// v' = v + (F/m) kick, then x' = x + v' drift, two discs at a time; the last of an odd number by itself.
     #[inline(always)]
-    fn kick_and_drift<V: Lanes, M: Masses, const BOOKS: bool>(
+    fn move_all<V: Lanes, M: Masses, const BOOKS: bool>(
         &mut self,
         zero: V,
         masses: M,
         [kick, drift]: [f64; 2],
+        forces: &impl Forces<V>,
     ) -> (f64, Booked) {
-        let (mut most, mut booked) = self.move_twos::<V, M, BOOKS>(zero, masses, [kick, drift]);
+        let (mut most, mut booked) =
+            self.move_twos::<V, M, BOOKS>(zero, masses, [kick, drift], forces);
         let n = self.phases.len();
         if n % 2 == 1 {
             let one = self.move_last([kick, drift]);
@@ -160,16 +200,16 @@ impl Block<'_> {
         zero: V,
         masses: M,
         [kick, drift]: [f64; 2],
+        forces: &impl Forces<V>,
     ) -> (f64, Booked) {
-        let n = self.phases.len();
-        let (forces, reference_positions) = (&self.forces[..n], &self.reference_positions[..n]);
+        let reference_positions = &self.reference_positions[..self.phases.len()];
         let (kicks, drifts, half) = (zero.all(kick), zero.all(drift), zero.all(0.5 * kick));
         let gravity = both(zero, [self.gravity; 2]);
         let (mut most, mut booked) = (zero, [zero; 4]);
         for (two, k) in self.phases.chunks_exact_mut(2).zip((0..).step_by(2)) {
             let (a, b) = (zero.of(two[0].0), zero.of(two[1].0));
             let [position, before] = V::halves_exchanged(a, b);
-            let force = both(zero, [forces[k], forces[k + 1]]);
+            let [force, spring] = forces.on_two(k);
             let [one, other] = [masses.of(k), masses.of(k + 1)];
             let mass = zero.of([one, one, other, other]);
             let velocity = before + force / mass * kicks;
@@ -180,7 +220,6 @@ impl Block<'_> {
             if BOOKS {
                 let path = (before + velocity) * half;
                 let weight = mass * gravity;
-                let spring = both(zero, [self.springs[k], self.springs[k + 1]]);
                 let field = match self.starts.get(k..k + 2) {
                     Some([one, other]) => both(zero, [one.field, other.field]),
                     _ => zero,
@@ -241,6 +280,8 @@ mod tests {
     use wide::f64x4;
 
     use super::*;
+    #[cfg(target_arch = "x86_64")]
+    use crate::engine::avx2::{Avx2, Four};
 
     fn hold_against_one_at_a_time<V: Lanes>(zero: V, has_ledger: bool, are_equal: bool) {
         let golden = |k: usize| (0.618_034 * k as f64).fract() - 0.5;
@@ -300,7 +341,7 @@ mod tests {
         {
             hold_against_one_at_a_time(f64x4::ZERO, has_ledger, are_equal);
             #[cfg(target_arch = "x86_64")]
-            if let Some(zero) = crate::engine::avx2::Four::on_this_processor() {
+            if let Some(zero) = Four::<Avx2>::on_this_processor() {
                 hold_against_one_at_a_time(zero, has_ledger, are_equal);
             }
         }

@@ -7,6 +7,8 @@
 
 mod make;
 mod skin;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 
@@ -63,6 +65,8 @@ pub(super) struct NeighbourList {
     pub at_wall: Vec<u32>,
     /// Places of the discs that may reach a periodic edge, ascending.
     pub at_edge: Vec<u32>,
+    /// Where those of each block begin in `more`, `at_wall` and `at_edge`, and the ends.
+    begins: Vec<Begins>,
     /// Where each disc was when the list was made, m.
     pub reference_positions: Vec<DVec2>,
     /// The skin, m.
@@ -83,6 +87,14 @@ pub(super) struct More {
     pub place: u32,
     /// Where its parts begin in `more_parts`, and where they end.
     pub parts: [u32; 2],
+}
+
+/// Where the discs of a block begin among those that need a closer look.
+#[derive(Clone, Copy, Default)]
+struct Begins {
+    more: u32,
+    at_wall: u32,
+    at_edge: u32,
 }
 
 impl NeighbourList {
@@ -144,25 +156,31 @@ impl NeighbourList {
         &pairs[..pairs.len() - more]
     }
 
-    /// The discs among `places` that have more parts than there is room for, or far ones.
-    pub fn more_among(&self, places: &Range<usize>) -> &[More] {
-        let from = |place: usize| self.more.partition_point(|of| (of.place as usize) < place);
-        &self.more[from(places.start)..from(places.end)]
+    /// The discs of a block that have more parts than there is room for, or far ones.
+    pub fn more_of(&self, block: usize) -> &[More] {
+        &self.more[self.begins[block].more as usize..self.begins[block + 1].more as usize]
     }
 
-    /// The discs near walls among `places`.
-    pub fn at_wall_among(&self, places: &Range<usize>) -> &[u32] {
-        among(&self.at_wall, places)
+    /// The discs of a block that are near walls.
+    pub fn at_wall_of(&self, block: usize) -> &[u32] {
+        let [begin, end] = [block, block + 1].map(|block| self.begins[block].at_wall as usize);
+        &self.at_wall[begin..end]
     }
 
-    /// The discs near a periodic edge among `places`.
-    pub fn at_edge_among(&self, places: &Range<usize>) -> &[u32] {
-        among(&self.at_edge, places)
+    /// The discs of a block that are near a periodic edge.
+    pub fn at_edge_of(&self, block: usize) -> &[u32] {
+        let [begin, end] = [block, block + 1].map(|block| self.begins[block].at_edge as usize);
+        &self.at_edge[begin..end]
     }
-}
 
-/// Those of ascending places that are among `places`.
-fn among<'a>(all: &'a [u32], places: &Range<usize>) -> &'a [u32] {
-    let from = |end: usize| all.partition_point(|&place| (place as usize) < end);
-    &all[from(places.start)..from(places.end)]
+    /// Notes where the discs of each block begin among those that need a closer look.
+    fn note_begins(&mut self, discs: usize) {
+        self.begins.clear();
+        for block in 0..=discs.div_ceil(BLOCK) {
+            let from = |places: &[u32]| places.partition_point(|&at| (at as usize) < block * BLOCK);
+            let more = self.more.partition_point(|of| (of.place as usize) < block * BLOCK);
+            let (at_wall, at_edge) = (from(&self.at_wall) as u32, from(&self.at_edge) as u32);
+            self.begins.push(Begins { more: more as u32, at_wall, at_edge });
+        }
+    }
 }

@@ -3,13 +3,10 @@
 use glam::DVec2;
 use wide::f64x2;
 
+use super::both::Both;
+use super::group::Group;
 use super::lanes::Lanes;
 use super::lookup::Lookup;
-
-/// Both sides of a pair, aligned so that no store of one crosses a line of the cache.
-#[derive(Clone, Copy, Default)]
-#[repr(C, align(32))]
-pub(super) struct Both<T>(T);
 
 /// What is kept of a pair's forces: on its first disc, and on its second.
 pub(super) trait Entry<V: Lanes> {
@@ -21,20 +18,22 @@ pub(super) trait Entry<V: Lanes> {
     type Both: Copy + Default + Send + Sync;
     /// As it is added up.
     type Sum: Copy;
-    /// Puts both sides of four contacts with these forces, x and y, on the second discs (N), there.
-    fn put(push: [V; 2], spring: [V; 2], there: &mut [Self::Both]);
+    /// Puts both sides of a group of contacts with these forces, x and y, on the second discs (N), there.
+    fn put(push: [V::Group; 2], spring: [V::Group; 2], there: &mut [Self::Both]);
     /// Both sides together.
     fn together(sides: [Self::Stored; 2]) -> Self::Both;
     /// Each for itself.
     fn apart(both: Self::Both) -> [Self::Stored; 2];
     /// One side: the whole force and the springs' share, N.
     fn side(force: DVec2, spring: DVec2) -> Self::Stored;
-    /// A force, and the springs' share of it, to begin a sum with.
-    fn start(zero: V, force: DVec2, spring: DVec2) -> Self::Sum;
+    /// A sum that begins with this.
+    fn start(zero: V, first: &Self::Stored) -> Self::Sum;
     /// The sum with one more.
     fn plus(sum: Self::Sum, other: &Self::Stored) -> Self::Sum;
     /// The whole force and the springs' share, N.
     fn of(sum: Self::Sum) -> [DVec2; 2];
+    /// The whole forces on two discs, x and y of the one and then of the other, and the springs' shares, N.
+    fn of_two(zero: V, sums: [Self::Sum; 2]) -> [V; 2];
 
     /// The sum of this and of the six entries that `parts` name in the ring, one after the other.
     #[inline(always)]
@@ -54,13 +53,8 @@ impl<V: Lanes> Entry<V> for Whole {
     type Both = Both<[f64; 4]>;
     type Sum = f64x2;
     #[inline(always)]
-    fn put([x, y]: [V; 2], _spring: [V; 2], there: &mut [Both<[f64; 4]>]) {
-        let [a, b, c, d] = V::both_sides(x, y);
-        let there = &mut there[..4];
-        a.put(&mut there[0].0);
-        b.put(&mut there[1].0);
-        c.put(&mut there[2].0);
-        d.put(&mut there[3].0);
+    fn put(push: [V::Group; 2], _spring: [V::Group; 2], there: &mut [Both<[f64; 4]>]) {
+        V::Group::put_sides(push, there);
     }
     #[inline(always)]
     fn together([[a, b], [c, d]]: [[f64; 2]; 2]) -> Both<[f64; 4]> {
@@ -75,8 +69,8 @@ impl<V: Lanes> Entry<V> for Whole {
         force.to_array()
     }
     #[inline(always)]
-    fn start(_zero: V, force: DVec2, _spring: DVec2) -> f64x2 {
-        f64x2::new(force.to_array())
+    fn start(_zero: V, first: &[f64; 2]) -> f64x2 {
+        f64x2::new(*first)
     }
     #[inline(always)]
     fn plus(sum: f64x2, other: &[f64; 2]) -> f64x2 {
@@ -85,6 +79,11 @@ impl<V: Lanes> Entry<V> for Whole {
     #[inline(always)]
     fn of(sum: f64x2) -> [DVec2; 2] {
         [DVec2::from_array(sum.to_array()), DVec2::ZERO]
+    }
+    #[inline(always)]
+    fn of_two(zero: V, [a, b]: [f64x2; 2]) -> [V; 2] {
+        let ([ax, ay], [bx, by]) = (a.to_array(), b.to_array());
+        [zero.of([ax, ay, bx, by]), zero]
     }
 }
 
@@ -97,13 +96,8 @@ impl<V: Lanes> Entry<V> for Split {
     type Both = Both<[[f64; 4]; 2]>;
     type Sum = V;
     #[inline(always)]
-    fn put([x, y]: [V; 2], [sx, sy]: [V; 2], there: &mut [Both<[[f64; 4]; 2]>]) {
-        let [a, b, c, d] = V::transposed([x, y, sx, sy]);
-        let there = &mut there[..4];
-        put_both(a, &mut there[0].0);
-        put_both(b, &mut there[1].0);
-        put_both(c, &mut there[2].0);
-        put_both(d, &mut there[3].0);
+    fn put(push: [V::Group; 2], spring: [V::Group; 2], there: &mut [Both<[[f64; 4]; 2]>]) {
+        V::Group::put_sides_of_two(push, spring, there);
     }
     #[inline(always)]
     fn together(sides: [[f64; 4]; 2]) -> Both<[[f64; 4]; 2]> {
@@ -118,8 +112,8 @@ impl<V: Lanes> Entry<V> for Split {
         [force.x, force.y, spring.x, spring.y]
     }
     #[inline(always)]
-    fn start(zero: V, force: DVec2, spring: DVec2) -> V {
-        zero.of([force.x, force.y, spring.x, spring.y])
+    fn start(zero: V, first: &[f64; 4]) -> V {
+        zero.of(*first)
     }
     #[inline(always)]
     fn plus(sum: V, other: &[f64; 4]) -> V {
@@ -130,12 +124,10 @@ impl<V: Lanes> Entry<V> for Split {
         let [x, y, sx, sy] = sum.to_array();
         [DVec2::new(x, y), DVec2::new(sx, sy)]
     }
-}
-
-#[inline(always)]
-fn put_both<V: Lanes>(row: V, there: &mut [[f64; 4]; 2]) {
-    row.negated().put(&mut there[0]);
-    row.put(&mut there[1]);
+    #[inline(always)]
+    fn of_two(_zero: V, [a, b]: [V; 2]) -> [V; 2] {
+        V::halves_exchanged(a, b)
+    }
 }
 
 /// The last of the pairs' forces: for each pair that on its first disc, then that on its second; and after them twice no

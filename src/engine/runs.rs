@@ -84,7 +84,7 @@ impl Runs {
             .map(|(((blocks, halos), desk), found)| {
                 let discs = blocks.len() * BLOCK;
                 let pairs = sweep.list.pairs_of_run(blocks).len();
-                Share {
+                let share = Share {
                     phases: first_of(&mut phases, discs),
                     forces: first_of(&mut forces, discs),
                     springs: first_of(&mut springs, discs),
@@ -94,13 +94,13 @@ impl Runs {
                     powers: first_of(&mut powers, blocks.len()),
                     blocks: blocks.clone(),
                     halos,
-                    desk,
                     far,
                     found,
-                }
+                };
+                (share, desk)
             })
             .collect();
-        workers.each(&mut shares, |share| sweep.serve(share));
+        workers.each(&mut shares, |(share, desk)| sweep.serve(share, desk));
         self.all_found()
     }
 

@@ -85,6 +85,7 @@ impl<I: Interaction> Engine<I> {
             places: OnceLock::new(),
         };
         engine.take_in(&particles);
+        drop(particles); // before the list is made
         engine.list.forget();
         engine.update_forces();
         engine.settle();

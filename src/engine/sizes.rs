@@ -3,11 +3,32 @@
 use glam::DVec2;
 
 use super::block::BLOCK;
+use super::phase::Phase;
 use super::workers::Workers;
-use crate::particle::Particle;
 
 /// Discs looked at to learn where most of them are.
 const SAMPLE: usize = 256;
+
+/// Where discs are, as they are stored, and how far each acts on its like.
+#[derive(Clone, Copy)]
+pub(super) struct Extents<'a> {
+    pub phases: &'a [Phase],
+    /// Half of the distance of centres up to which it does, m: its radius, or more.
+    pub radii: &'a [f64],
+}
+
+impl Extents<'_> {
+    /// Number of discs.
+    pub fn count(&self) -> usize {
+        self.phases.len()
+    }
+
+    /// Where the disc at this place is (m), and its radius (m).
+    #[inline(always)]
+    pub fn at(&self, place: usize) -> (DVec2, f64) {
+        (self.phases[place].position(), self.radii[place])
+    }
+}
 
 /// What is to be known of all discs before their near pairs are listed.
 ///
@@ -32,17 +53,20 @@ pub(super) struct Sizes {
 
 impl Sizes {
     /// Looks at all discs.
-    pub fn of(particles: &[Particle], ids: &[u32], workers: &Workers) -> Self {
-        let mut blocks = vec![Self::of_none(); particles.len().div_ceil(BLOCK)];
+    pub fn of(discs: Extents, ids: &[u32], workers: &Workers) -> Self {
+        let mut blocks = vec![Self::of_none(); discs.count().div_ceil(BLOCK)];
         workers.pieces(&mut blocks, |first, blocks| {
-            let discs = particles[first * BLOCK..].chunks(BLOCK);
-            blocks.iter_mut().zip(discs).for_each(|(block, discs)| *block = Self::sums(discs));
+            let phases = discs.phases[first * BLOCK..].chunks(BLOCK);
+            let radii = discs.radii[first * BLOCK..].chunks(BLOCK);
+            for (block, (phases, radii)) in blocks.iter_mut().zip(phases.zip(radii)) {
+                *block = Self::sums(Extents { phases, radii });
+            }
         });
         let mut all = blocks.iter().fold(Self::of_none(), Self::and);
-        all.mean_radius /= particles.len().max(1) as f64;
+        all.mean_radius /= discs.count().max(1) as f64;
         all.areas *= std::f64::consts::PI;
         all.fastest = all.fastest.sqrt();
-        all.look_at_the_middle(particles, ids);
+        all.look_at_the_middle(discs.phases, ids);
         all
     }
 
@@ -61,16 +85,17 @@ impl Sizes {
     }
 
     /// Sums in the place of means, areas over pi, and speeds squared.
-    fn sums(discs: &[Particle]) -> Self {
+    fn sums(discs: Extents) -> Self {
         let mut sums = Self::of_none();
-        for p in discs {
-            sums.smallest_radius = sums.smallest_radius.min(p.radius);
-            sums.largest_radius = sums.largest_radius.max(p.radius);
-            sums.mean_radius += p.radius;
-            sums.areas += p.radius * p.radius;
-            sums.fastest = sums.fastest.max(p.velocity.length_squared());
-            if p.position.is_finite() {
-                (sums.low, sums.high) = (sums.low.min(p.position), sums.high.max(p.position));
+        for (p, &radius) in discs.phases.iter().zip(discs.radii) {
+            sums.smallest_radius = sums.smallest_radius.min(radius);
+            sums.largest_radius = sums.largest_radius.max(radius);
+            sums.mean_radius += radius;
+            sums.areas += radius * radius;
+            sums.fastest = sums.fastest.max(p.velocity().length_squared());
+            let position = p.position();
+            if position.is_finite() {
+                (sums.low, sums.high) = (sums.low.min(position), sums.high.max(position));
             }
         }
         sums
@@ -92,13 +117,13 @@ impl Sizes {
     /// From a sample: a few discs far away must not count. It is drawn by a hash of the ids, since every so
     /// many'th disc may be one column of a bed, and is always of the same discs, so that what follows from it
     /// does not change from list to list.
-    fn look_at_the_middle(&mut self, particles: &[Particle], ids: &[u32]) {
-        let drawn = u64::MAX / particles.len().div_ceil(SAMPLE).max(1) as u64;
+    fn look_at_the_middle(&mut self, phases: &[Phase], ids: &[u32]) {
+        let drawn = u64::MAX / phases.len().div_ceil(SAMPLE).max(1) as u64;
         let sample: Vec<DVec2> = ids
             .iter()
-            .zip(particles)
-            .filter(|(id, p)| hash(u64::from(**id)) <= drawn && p.position.is_finite())
-            .map(|(_, p)| p.position)
+            .zip(phases)
+            .filter(|(id, p)| hash(u64::from(**id)) <= drawn && p.position().is_finite())
+            .map(|(_, p)| p.position())
             .collect();
         let [x, y] = [0, 1].map(|axis| quartiles(sample.iter().map(|position| position[axis])));
         let [low, high] = [DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1])];
@@ -129,19 +154,25 @@ pub(super) fn hash(number: u64) -> u64 {
 mod tests {
     use super::*;
 
-    fn ids(n: usize) -> Vec<u32> {
-        (0..n as u32).collect()
+    /// Discs at these positions, at rest and of these radii.
+    fn sizes_of(phases: &[Phase], radii: &[f64], threads: usize) -> Sizes {
+        let ids: Vec<u32> = (0..phases.len() as u32).collect();
+        Sizes::of(Extents { phases, radii }, &ids, &Workers::of(threads))
+    }
+
+    fn at_rest(position: DVec2) -> Phase {
+        Phase::new(position, DVec2::ZERO)
     }
 
     #[test]
     fn sizes_are_those_of_all_discs_on_any_number_of_threads() {
         // More than two blocks, and a part of one.
-        let mut discs: Vec<_> = (0..2 * BLOCK + 3)
-            .map(|k| Particle::at_rest(DVec2::new(-(k as f64), 1.0), 1.0 + (k % 2) as f64, 1.0))
-            .collect();
-        discs[200].velocity = DVec2::new(3.0, -4.0);
-        discs[201].position = DVec2::NAN;
-        let alone = Sizes::of(&discs, &ids(discs.len()), &Workers::of(1));
+        let places = (0..2 * BLOCK + 3).map(|k| DVec2::new(-(k as f64), 1.0));
+        let mut discs: Vec<_> = places.map(at_rest).collect();
+        let radii: Vec<_> = (0..discs.len()).map(|k| 1.0 + (k % 2) as f64).collect();
+        discs[200] = Phase::new(discs[200].position(), DVec2::new(3.0, -4.0));
+        discs[201] = at_rest(DVec2::NAN);
+        let alone = sizes_of(&discs, &radii, 1);
         let n = discs.len() as f64;
         assert_eq!((alone.smallest_radius, alone.largest_radius, alone.fastest), (1.0, 2.0, 5.0));
         assert_eq!((alone.low, alone.high), (DVec2::new(1.0 - n, 1.0), DVec2::new(0.0, 1.0)));
@@ -149,21 +180,16 @@ mod tests {
         assert_eq!(alone.mean_radius, (130.0 + 2.0 * 129.0) / n);
         assert_eq!(alone.areas, (130.0 + 4.0 * 129.0) * std::f64::consts::PI);
         for threads in [2, 3, 8] {
-            assert_eq!(
-                Sizes::of(&discs, &ids(discs.len()), &Workers::of(threads)),
-                alone,
-                "{threads} threads"
-            );
+            assert_eq!(sizes_of(&discs, &radii, threads), alone, "{threads} threads");
         }
     }
 
     #[test]
     fn the_middle_of_rows_of_1000_is_half_as_wide_and_half_as_high_as_all() {
         let row = |k: usize| DVec2::new((k % 1000) as f64, (k / 1000) as f64);
-        let mut discs: Vec<_> =
-            (0..100_000).map(|k| Particle::at_rest(row(k), 0.25, 1.0)).collect();
-        discs[77].position = DVec2::splat(1e9);
-        let sizes = Sizes::of(&discs, &ids(discs.len()), &Workers::of(1));
+        let mut discs: Vec<_> = (0..100_000).map(|k| at_rest(row(k))).collect();
+        discs[77] = at_rest(DVec2::splat(1e9));
+        let sizes = sizes_of(&discs, &vec![0.25; discs.len()], 1);
         let [width, height] = (sizes.middle[1] - sizes.middle[0]).to_array();
         // A quartile of 256 drawn numbers scatters by 3 %; both ends, and three times that, are 12 %.
         assert!((width / 500.0 - 1.0).abs() < 0.24, "{width}");
@@ -175,7 +201,7 @@ mod tests {
 
     #[test]
     fn of_no_discs_there_is_nothing() {
-        let sizes = Sizes::of(&[], &[], &Workers::of(2));
+        let sizes = sizes_of(&[], &[], 2);
         assert_eq!((sizes.largest_radius, sizes.mean_radius, sizes.fastest), (0.0, 0.0, 0.0));
     }
 }

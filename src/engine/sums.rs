@@ -42,9 +42,8 @@ impl<I: Interaction> Engine<I> {
     /// Energy stored in the pairs of the discs of a block with walls and with discs ahead, J.
     fn energy_stored_in(&self, block: usize) -> f64 {
         let first = block * BLOCK;
-        let places = first..(first + BLOCK).min(self.phases.len());
         let mut stored = 0.0;
-        for &place in self.list.at_wall_among(&places) {
+        for &place in self.list.at_wall_of(block) {
             let disc = self.particle_at(place as usize);
             for plane in &self.planes {
                 let distance = plane.distance(disc.position);

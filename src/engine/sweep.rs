@@ -20,7 +20,9 @@ use wide::f64x4;
 use self::sums::{Noted, Sums};
 use super::added::Start;
 #[cfg(target_arch = "x86_64")]
-use super::avx2::Four;
+use super::avx2::{Avx2, Four};
+#[cfg(all(target_arch = "x86_64", has_avx512))]
+use super::avx512::Avx512;
 use super::block::BLOCK;
 use super::block_pairs::{BlockPairs, Fixed};
 use super::constants::PairConstants;
@@ -79,7 +81,6 @@ pub(super) struct Share<'a> {
     pub powers: &'a mut [[f64; 2]],
     /// Where it meets the thread before, and the one after.
     pub halos: [&'a Halo; 2],
-    pub desk: &'a mut Desk,
     /// The forces of far pairs.
     pub far: &'a PairBuffer,
     pub found: &'a mut Found,
@@ -140,27 +141,32 @@ impl Found {
 
 impl<I: Interaction> Sweep<'_, I> {
     /// Adds up weight, walls and pairs of every disc of `share`, in this order, and moves it.
-    pub fn serve(&self, share: &mut Share) {
-        #[cfg(target_arch = "x86_64")]
-        if let Some(zero) = Four::on_this_processor() {
+    pub fn serve(&self, share: &mut Share, desk: &mut Desk) {
+        #[cfg(all(target_arch = "x86_64", has_avx512))]
+        if let Some(zero) = Four::<Avx512>::on_this_processor() {
             return zero.run(
                 #[inline(always)]
-                || self.serve_in(zero, share),
+                || self.serve_in(zero, share, desk),
             );
         }
-        self.serve_in(f64x4::ZERO, share);
+        #[cfg(target_arch = "x86_64")]
+        if let Some(zero) = Four::<Avx2>::on_this_processor() {
+            return zero.run(
+                #[inline(always)]
+                || self.serve_in(zero, share, desk),
+            );
+        }
+        self.serve_in(f64x4::ZERO, share, desk);
     }
 
     #[inline(always)]
-    fn serve_in<V: Lanes>(&self, zero: V, share: &mut Share) {
-        let mut desk = std::mem::take(share.desk); // so that it is nobody's while `share` is
-        let Desk { ring, by_hand } = &mut desk;
+    fn serve_in<V: Lanes>(&self, zero: V, share: &mut Share, desk: &mut Desk) {
+        let Desk { ring, by_hand } = desk;
         let far = share.far;
         match self.has_ledger {
             false => self.serve_with::<V, Whole>(zero, &mut ring.whole, &far.whole, by_hand, share),
             true => self.serve_with::<V, Split>(zero, &mut ring.split, &far.split, by_hand, share),
         }
-        *share.desk = desk;
     }
 
     #[inline(always)]
@@ -172,45 +178,116 @@ impl<I: Interaction> Sweep<'_, I> {
         by_hand: &mut ByHand,
         share: &mut Share,
     ) {
-        if self.adds_up {
-            self.begin::<V, E>(zero, ring, share, &mut by_hand.scratch);
-        }
-        for block in share.blocks.clone() {
-            if self.adds_up {
-                self.walk_own::<V, E>(zero, block, ring, share, &mut by_hand.scratch);
-                let (at, discs) = (block - share.blocks.start, share.discs_of(block));
-                let sums = self.sums(&discs, share.forces, share.springs, by_hand);
-                let (largest, power) = (&mut share.found.largest, &mut share.powers[at]);
-                let first = share.blocks.start * BLOCK + discs.start;
-                let discs = (&share.phases[discs], first);
-                self.gather::<V, E>(zero, discs, ring, far, sums, Noted { largest, power });
+        if !self.adds_up {
+            for block in share.blocks.clone() {
+                self.go_on(block, share, by_hand, |block| block.go(zero, self.moves));
             }
-            self.go_on(zero, block, share, by_hand);
+            return;
+        }
+        let ring = self.ring_in::<V, E>(ring);
+        self.begin::<V, E>(zero, ring, share, &mut by_hand.scratch);
+        let usual = self.usual_start::<V, E>();
+        let mut starts = [usual.unwrap_or_default(); BLOCK];
+        for block in share.blocks.clone() {
+            self.walk_own::<V, E>(zero, block, ring, share, &mut by_hand.scratch);
+            let (at, discs) = (block - share.blocks.start, share.discs_of(block));
+            let (largest, power) = (&mut share.found.largest, &mut share.powers[at]);
+            let first = block * BLOCK;
+            let discs = (block, &share.phases[discs], first);
+            let noted = Noted { largest, power };
+            let sums = self.sums::<V, E>(zero, discs, ring, far, &mut starts, noted);
+            self.move_by(zero, block, &sums, share, by_hand);
+            self.put_back::<V, E>((block, first), usual, &mut starts);
         }
     }
 
-    /// Where forces on `discs` are put, or where they were put earlier.
+    /// Moves the discs of a block by the `sums` of forces on them.
     #[inline(always)]
-    fn sums<'b>(
+    fn move_by<V: Lanes, E: Entry<V>>(
+        &self,
+        zero: V,
+        block: usize,
+        sums: &Sums<V, E>,
+        share: &mut Share,
+        by_hand: &mut ByHand,
+    ) {
+        let discs = share.discs_of(block);
+        let (forces, springs) = self.kept(&discs, share.forces, share.springs, by_hand);
+        if let ([Move::Kick(kick), Move::Drift(drift)], false) = (self.moves, self.keeps_forces) {
+            let last = discs.len() - 1; // it may be moved by itself
+            let spring;
+            [forces[last], spring] = E::of(sums.on(last));
+            springs.iter_mut().skip(last).for_each(|last| *last = spring);
+            self.go_on(
+                block,
+                share,
+                by_hand,
+                #[inline(always)]
+                |block| block.kick_and_drift(zero, [*kick, *drift], sums),
+            );
+        } else {
+            sums.put(forces, springs);
+            self.go_on(
+                block,
+                share,
+                by_hand,
+                #[inline(always)]
+                |block| block.go(zero, self.moves),
+            );
+        }
+    }
+
+    /// Where forces on `discs` are put, and the springs' shares, or where they were put earlier.
+    #[inline(always)]
+    fn kept<'b>(
         &self,
         discs: &Range<usize>,
         forces: &'b mut [DVec2],
         springs: &'b mut [DVec2],
         by_hand: &'b mut ByHand,
-    ) -> Sums<'b> {
-        let ByHand { forces: forces_here, springs: springs_here, .. } = by_hand;
+    ) -> (&'b mut [DVec2], &'b mut [DVec2]) {
         let keeps = self.keeps_forces || !self.adds_up;
         let split = if self.has_ledger { discs.len() } else { 0 };
-        Sums {
-            forces: match keeps {
-                true => &mut forces[discs.clone()],
-                false => &mut forces_here.0[..discs.len()],
-            },
-            springs: match springs.get_mut(discs.clone()) {
-                Some(springs) if keeps => springs,
-                _ => &mut springs_here.0[..split],
-            },
-        }
+        let forces = match keeps {
+            true => &mut forces[discs.clone()],
+            false => &mut by_hand.forces.0[..discs.len()],
+        };
+        let springs = match springs.get_mut(discs.clone()) {
+            Some(springs) if keeps => springs,
+            _ => &mut by_hand.springs.0[..split],
+        };
+        (forces, springs)
+    }
+
+    /// Has `go` move the discs of a block.
+    #[inline(always)]
+    fn go_on(
+        &self,
+        block: usize,
+        share: &mut Share,
+        by_hand: &mut ByHand,
+        go: impl FnOnce(Block) -> f64,
+    ) {
+        let discs = share.discs_of(block);
+        let first = block * BLOCK;
+        let places = first..first + discs.len();
+        let (forces, springs) = self.kept(&discs, share.forces, share.springs, by_hand);
+        let books = (block - share.blocks.start) * self.kicks;
+        let reference_positions =
+            share.reference_positions.get_mut(discs.clone()).unwrap_or_default();
+        let farthest = go(Block {
+            sizes: &self.fixed.sizes[places.clone()],
+            mass: self.fixed.equal.map(|size| size.mass),
+            phases: &mut share.phases[discs.clone()],
+            forces,
+            springs,
+            starts: self.starts.get(places).unwrap_or_default(),
+            reference_positions,
+            books: &mut share.books[books..books + self.kicks],
+            gravity: self.gravity,
+        });
+        share.found.farthest = share.found.farthest.max(farthest);
+        self.wrap(block, &mut share.phases[discs], reference_positions);
     }
 
     /// Puts the forces of a block's own pairs into the ring.
@@ -235,36 +312,10 @@ impl<I: Interaction> Sweep<'_, I> {
         self.walk::<V, E>(zero, (block, pairs), ahead, memory, ring, scratch, largest);
     }
 
-    /// Moves the discs of a block.
-    #[inline(always)]
-    fn go_on<V: Lanes>(&self, zero: V, block: usize, share: &mut Share, by_hand: &mut ByHand) {
-        let discs = share.discs_of(block);
-        let first = share.blocks.start * BLOCK + discs.start;
-        let places = first..first + discs.len();
-        let Sums { forces, springs } = self.sums(&discs, share.forces, share.springs, by_hand);
-        let books = (block - share.blocks.start) * self.kicks;
-        let reference_positions =
-            share.reference_positions.get_mut(discs.clone()).unwrap_or_default();
-        let block = Block {
-            sizes: &self.fixed.sizes[places.clone()],
-            mass: self.fixed.equal.map(|size| size.mass),
-            phases: &mut share.phases[discs.clone()],
-            forces,
-            springs,
-            starts: self.starts.get(places).unwrap_or_default(),
-            reference_positions,
-            books: &mut share.books[books..books + self.kicks],
-            gravity: self.gravity,
-        };
-        let farthest = block.go(zero, self.moves);
-        share.found.farthest = share.found.farthest.max(farthest);
-        self.wrap(&mut share.phases[discs], first, reference_positions);
-    }
-
     /// Brings discs that have left a periodic space back into it, and where they were listed along with them.
-    fn wrap(&self, discs: &mut [Phase], first: usize, reference_positions: &mut [DVec2]) {
-        for &place in self.list.at_edge_among(&(first..first + discs.len())) {
-            let here = place as usize - first;
+    fn wrap(&self, block: usize, discs: &mut [Phase], reference_positions: &mut [DVec2]) {
+        for &place in self.list.at_edge_of(block) {
+            let here = place as usize - block * BLOCK;
             let shift = self.boundary.wrap(discs[here].position());
             if shift != DVec2::ZERO {
                 discs[here] = Phase::new(discs[here].position() + shift, discs[here].velocity());
@@ -273,22 +324,31 @@ impl<I: Interaction> Sweep<'_, I> {
         }
     }
 
+    /// The ring: room for the pairs, and at the end for no force at all. It begins with a line of the cache, so that no store
+    /// into it crosses one.
+    #[inline(always)]
+    fn ring_in<'b, V: Lanes, E: Entry<V>>(&self, room: &'b mut Vec<E::Both>) -> &'b mut [E::Both] {
+        let nothing = E::Both::default();
+        room.resize(self.list.ring_length + 2, nothing);
+        let first = room.as_ptr().align_offset(64).min(1);
+        let ring = &mut room[first..][..self.list.ring_length + 1];
+        ring[self.list.ring_length] = nothing;
+        ring
+    }
+
     /// Makes the ring ready for those who begin at `block`.
     #[inline(always)]
     fn begin<V: Lanes, E: Entry<V>>(
         &self,
         zero: V,
-        ring: &mut Vec<E::Both>,
+        ring: &mut [E::Both],
         share: &Share,
         scratch: &mut Scratch,
     ) {
         let (halo, block) = (share.halos[0], share.blocks.start);
-        // Room for the pairs, and at the end for no force at all.
-        let nothing = E::Both::default();
-        ring.resize(self.list.ring_length + 1, nothing);
-        ring[self.list.ring_length] = nothing;
         let reaches_back_to = self.list.reaches_back_to[block] as usize / GROUP * GROUP;
         let mut memory = halo.memory.clone(); // thrown away: the thread before has them
+        let largest = &mut share.found.largest.clone(); // as well
         for before in halo.first_block..block {
             let Range { start, end } = self.list.pairs_of(before);
             let pairs = start.max(reaches_back_to)..end;
@@ -296,7 +356,7 @@ impl<I: Interaction> Sweep<'_, I> {
                 continue;
             }
             let remembered = pairs.start - halo.first_pair..pairs.end - halo.first_pair;
-            let (discs, largest) = (halo.discs_after(before), &mut Largest::default());
+            let discs = halo.discs_after(before);
             let remembered = memory.get_mut(remembered).unwrap_or_default();
             self.walk::<V, E>(zero, (before, pairs), discs, remembered, ring, scratch, largest);
         }

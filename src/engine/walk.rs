@@ -13,36 +13,35 @@ use glam::DVec2;
 
 use super::block_pairs::BlockPairs;
 use super::constants::{CHUNK, PairConstants};
+use super::group::Group;
 use super::lanes::Lanes;
 use super::largest::Largest;
+use super::lookup::{Lookup, Offset};
 use super::pair_buffer::Entry;
-use super::phase::Size;
+use super::phase::{Phase, Size};
 use crate::particle::{Contact, ContactLaw};
 
-/// Pairs worked on at a time.
-const GROUP: usize = 4;
-
-/// Numbers about the contacts of a chunk, group by group.
+/// Numbers about the contacts of a chunk.
 #[repr(C, align(64))]
 #[derive(Clone, Copy)]
-struct Column([[f64; GROUP]; CHUNK / GROUP]);
+struct Column([f64; CHUNK]);
 
 impl Column {
     #[inline(always)]
-    fn group<V: Lanes>(&self, zero: V, group: usize) -> V {
-        zero.of(self.0[group % (CHUNK / GROUP)])
+    fn group<G: Group>(&self, group: usize) -> &[f64] {
+        &self.0[G::PAIRS * group..][..G::PAIRS]
     }
 
     #[inline(always)]
-    fn set<V: Lanes>(&mut self, group: usize, lanes: V) {
-        lanes.put(&mut self.0[group % (CHUNK / GROUP)]);
+    fn group_mut<G: Group>(&mut self, group: usize) -> &mut [f64] {
+        &mut self.0[G::PAIRS * group..][..G::PAIRS]
     }
 }
 
 /// The contacts of a chunk of pairs, between two strides.
 #[derive(Clone, Copy)]
 struct Contacts {
-    /// All bits where the two touch, else none.
+    /// Where the two touch: masks.
     touch: Column,
     normal_x: Column,
     normal_y: Column,
@@ -54,7 +53,7 @@ struct Contacts {
 
 impl Contacts {
     const NONE: Self = {
-        let zero = Column([[0.0; GROUP]; CHUNK / GROUP]);
+        let zero = Column([0.0; CHUNK]);
         Self {
             touch: zero,
             normal_x: zero,
@@ -73,10 +72,10 @@ pub(super) trait Sizing: Copy {
     type Chunk: Copy;
     /// The chunk that begins with this pair.
     fn chunk(&self, first: usize) -> Self::Chunk;
-    /// The sums of the radii of four pairs of the chunk, from this one on, m.
-    fn reach<V: Lanes>(zero: V, chunk: &Self::Chunk, first: usize) -> V;
+    /// The sums of the radii of a group of the chunk's pairs, m.
+    fn reach<G: Group>(zero: G, chunk: &Self::Chunk, group: usize) -> G;
     /// Their smaller radii, or a little less, m.
-    fn smaller_radius<V: Lanes>(zero: V, chunk: &Self::Chunk, first: usize) -> V;
+    fn smaller_radius<G: Group>(zero: G, chunk: &Self::Chunk, group: usize) -> G;
     /// The reduced mass of a pair of the chunk, kg.
     fn reduced_mass(chunk: &Self::Chunk, pair: usize) -> f64;
 }
@@ -103,11 +102,11 @@ impl Sizing for Equal {
         *self
     }
     #[inline(always)]
-    fn reach<V: Lanes>(zero: V, chunk: &Self, _first: usize) -> V {
+    fn reach<G: Group>(zero: G, chunk: &Self, _group: usize) -> G {
         zero.all(chunk.reach)
     }
     #[inline(always)]
-    fn smaller_radius<V: Lanes>(zero: V, chunk: &Self, _first: usize) -> V {
+    fn smaller_radius<G: Group>(zero: G, chunk: &Self, _group: usize) -> G {
         zero.all(chunk.radius)
     }
     #[inline(always)]
@@ -145,13 +144,15 @@ impl<'a> Sizing for Unequal<'a> {
         )
     }
     #[inline(always)]
-    fn reach<V: Lanes>(zero: V, chunk: &Self::Chunk, k: usize) -> V {
-        zero.of([chunk.0[k], chunk.0[k + 1], chunk.0[k + 2], chunk.0[k + 3]])
+    fn reach<G: Group>(zero: G, chunk: &Self::Chunk, group: usize) -> G {
+        zero.load(&chunk.0[G::PAIRS * group..][..G::PAIRS])
     }
     #[inline(always)]
-    fn smaller_radius<V: Lanes>(zero: V, chunk: &Self::Chunk, k: usize) -> V {
-        let of = |pair: usize| f64::from(chunk.2[pair]);
-        zero.of([of(k), of(k + 1), of(k + 2), of(k + 3)])
+    fn smaller_radius<G: Group>(zero: G, chunk: &Self::Chunk, group: usize) -> G {
+        let of_pairs = &chunk.2[G::PAIRS * group..][..G::PAIRS];
+        let mut radii = [0.0; CHUNK];
+        radii.iter_mut().zip(of_pairs).for_each(|(radius, of_pair)| *radius = f64::from(*of_pair));
+        zero.load(&radii)
     }
     #[inline(always)]
     fn reduced_mass(chunk: &Self::Chunk, pair: usize) -> f64 {
@@ -159,13 +160,25 @@ impl<'a> Sizing for Unequal<'a> {
     }
 }
 
-/// Two chunks of contacts: of one the geometry is being worked out, of the other the forces are written.
-pub(super) struct Scratch([Contacts; 2]);
+/// Two chunks of contacts: of one the geometry is being worked out, of the other the forces are written. And where the discs of
+/// a chunk are.
+pub(super) struct Scratch {
+    contacts: [Contacts; 2],
+    offsets: [[Offset; 2]; CHUNK],
+}
 
 impl Default for Scratch {
     fn default() -> Self {
-        Self([Contacts::NONE; 2])
+        Self { contacts: [Contacts::NONE; 2], offsets: [Default::default(); CHUNK] }
     }
+}
+
+/// A group of pairs, the second disc of each seen from the first.
+struct Seen<G: Group> {
+    away: [G; 2],     // m
+    velocity: [G; 2], // m/s
+    distance: G,      // m
+    touch: G::Mask,
 }
 
 /// A walk over the near pairs of one block of discs.
@@ -183,7 +196,7 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
         zero: V,
         ring: &mut [E::Both],
         slot: usize,
-        Scratch([now, last]): &mut Scratch,
+        Scratch { contacts: [now, last], offsets }: &mut Scratch,
         largest: &mut Largest,
     ) {
         let all = self.block.pairs;
@@ -192,20 +205,21 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
         while first < all.len() {
             let here = CHUNK.min(all.len() - first).min(ring.len() - slot);
             let pairs = &all[first..first + here];
+            let places = &mut offsets[..here];
+            for (offsets, pair) in places.iter_mut().zip(pairs) {
+                *offsets = [Lookup::<Phase>::offset(pair[0]), Lookup::<Phase>::offset(pair[1])];
+            }
             let sizing = self.sizing.chunk(self.block.first + first);
-            let mut notable = zero;
-            let seen_as = (&sizing, largest.notable);
-            let mut written = ring[before.clone()].chunks_exact_mut(GROUP).enumerate();
-            for (group, pairs) in pairs.chunks_exact(GROUP).enumerate() {
-                if let Some((group, out)) = written.next() {
-                    last.write::<V, E>(zero, group, out);
-                }
-                notable = notable.or_where(self.see::<V>(zero, pairs, seen_as, group, now));
-            }
-            for (group, out) in written {
-                last.write::<V, E>(zero, group, out);
-            }
-            if notable.is_any() {
+            let out = &mut ring[before.clone()];
+            let notable = self.see_and_write::<V, E>(
+                zero.group(),
+                places,
+                (&sizing, largest.notable),
+                now,
+                last,
+                out,
+            );
+            if notable {
                 self.look_closer(pairs, now, largest);
             }
             self.apply_law::<V, E>(zero, &sizing, now);
@@ -213,42 +227,75 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
             slot = if slot + here == ring.len() { 0 } else { slot + here };
             std::mem::swap(&mut now, &mut last);
         }
-        last.write_from::<V, E>(zero, 0, &mut ring[before]);
+        last.write_from::<V, E>(zero.group(), 0, &mut ring[before]);
     }
 
-    /// The geometry of a group of pairs. Says where an overlap is worth a closer look.
+    /// Works out the geometry of a chunk, and writes the forces of the chunk before it meanwhile.
     #[inline(always)]
-    fn see<V: Lanes>(
+    fn see_and_write<V: Lanes, E: Entry<V>>(
         &self,
-        zero: V,
-        pairs: &[[u16; 2]],
+        zero: V::Group,
+        pairs: &[[Offset; 2]],
+        seen_as: (&S::Chunk, f64),
+        now: &mut Contacts,
+        last: &Contacts,
+        out: &mut [E::Both],
+    ) -> bool {
+        let size = V::Group::PAIRS;
+        let (groups, written) = (pairs.len().min(CHUNK) / size, out.len().min(CHUNK) / size);
+        let mut notable = zero.none();
+        let mut seen = self.look(zero, &pairs[..size], seen_as.0, 0);
+        for group in 0..groups {
+            if group < written {
+                last.write::<V, E>(zero, group, &mut out[size * group..][..size]);
+            }
+            let ahead = (group + 1).min(groups - 1);
+            let next = self.look(zero, &pairs[size * ahead..][..size], seen_as.0, ahead);
+            notable = zero.either(notable, Self::measure(zero, seen, seen_as, group, now));
+            seen = next;
+        }
+        last.write_from::<V, E>(zero, groups, out);
+        zero.is_any(notable)
+    }
+
+    /// Where the discs of a group of pairs are, seen from the first of each, and how far apart.
+    #[inline(always)]
+    fn look<G: Group>(
+        &self,
+        zero: G,
+        pairs: &[[Offset; 2]],
+        sizing: &S::Chunk,
+        group: usize,
+    ) -> Seen<G> {
+        // Seen from the first disc: velocities with the other sign than in `Contact::between`.
+        let [x, y, vx, vy] = zero.differences(self.block.discs, pairs);
+        let reach = S::reach(zero, sizing, group);
+        let distance_squared = x * x + y * y;
+        let touch = distance_squared.is_less(reach * reach);
+        let distance = distance_squared.sqrt();
+        Seen { away: [x, y], velocity: [vx, vy], distance, touch }
+    }
+
+    /// The contacts of a group of pairs. Says where an overlap is worth a closer look.
+    #[inline(always)]
+    fn measure<G: Group>(
+        zero: G,
+        seen: Seen<G>,
         (sizing, notable): (&S::Chunk, f64),
         group: usize,
         contacts: &mut Contacts,
-    ) -> V {
-        // Seen from the first disc: velocities with the other sign than in `Contact::between`.
-        let seen = |[i, j]: [u16; 2]| {
-            let discs = &self.block.discs;
-            zero.of(discs.at(j).0) - zero.of(discs.at(i).0)
-        };
-        let [a, b, c, d] = [seen(pairs[0]), seen(pairs[1]), seen(pairs[2]), seen(pairs[3])];
-        let [x, y, vx, vy] = V::transposed([a, b, c, d]);
-        let reach = S::reach(zero, sizing, GROUP * group);
-        let distance_squared = x * x + y * y;
-        let touch = distance_squared.is_less(reach * reach);
-        contacts.touch.set(group, touch);
-        if !touch.is_any() {
-            contacts.overlap.set(group, zero); // most groups of a gas, few of a bed
-            return zero;
-        }
-        let distance = distance_squared.sqrt();
+    ) -> G::Mask {
+        let Seen { away: [x, y], velocity: [vx, vy], distance, touch } = seen;
+        zero.store_mask(touch, contacts.touch.group_mut::<G>(group));
+        let reach = S::reach(zero, sizing, group);
         let (normal_x, normal_y) = (x / distance, y / distance);
         let overlap = (reach - distance).where_all(touch);
-        contacts.normal_x.set(group, normal_x);
-        contacts.normal_y.set(group, normal_y);
-        contacts.overlap.set(group, overlap);
-        contacts.approach_speed.set(group, (vx * normal_x + vy * normal_y).negated());
-        (zero.all(notable) * S::smaller_radius(zero, sizing, GROUP * group)).is_less(overlap)
+        normal_x.store(contacts.normal_x.group_mut::<G>(group));
+        normal_y.store(contacts.normal_y.group_mut::<G>(group));
+        overlap.store(contacts.overlap.group_mut::<G>(group));
+        let speed = (vx * normal_x + vy * normal_y).negated();
+        speed.store(contacts.approach_speed.group_mut::<G>(group));
+        (zero.all(notable) * S::smaller_radius(zero, sizing, group)).is_less(overlap)
     }
 
     /// Notes overlaps, and gives those at exactly one place a direction, as [`Contact::between`] does.
@@ -256,14 +303,13 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
     #[inline(never)]
     fn look_closer(&self, pairs: &[[u16; 2]], contacts: &mut Contacts, largest: &mut Largest) {
         for (k, &[i, j]) in pairs.iter().enumerate() {
-            let overlap = contacts.overlap.0.as_flattened()[k];
+            let overlap = contacts.overlap.0[k];
             if overlap > 0.0 {
                 let [a, b] = [i, j].map(|place| self.block.discs.at(place));
                 if a.position() == b.position() {
-                    contacts.normal_x.0.as_flattened_mut()[k] = 1.0;
-                    contacts.normal_y.0.as_flattened_mut()[k] = 0.0;
-                    contacts.approach_speed.0.as_flattened_mut()[k] =
-                        (a.velocity() - b.velocity()).dot(DVec2::X);
+                    contacts.normal_x.0[k] = 1.0;
+                    contacts.normal_y.0[k] = 0.0;
+                    contacts.approach_speed.0[k] = (a.velocity() - b.velocity()).dot(DVec2::X);
                 }
                 let [radius, other] = [i, j].map(|place| {
                     self.block.fixed.sizes[self.block.place + usize::from(place)].radius
@@ -288,9 +334,9 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
                 // A copy, so that the compiler sees that nothing in the loop changes it. Whole chunks, whatever is in
                 // them: a loop of known length needs no rest.
                 let law = self.law.clone();
-                let (normal_x, normal_y) = (normal_x.0.as_flattened(), normal_y.0.as_flattened());
-                let (overlap, speed) = (overlap.0.as_flattened(), approach_speed.0.as_flattened());
-                let (push, spring) = (push.0.as_flattened_mut(), spring.0.as_flattened_mut());
+                let (normal_x, normal_y) = (&normal_x.0, &normal_y.0);
+                let (overlap, speed) = (&overlap.0, &approach_speed.0);
+                let (push, spring) = (&mut push.0, &mut spring.0);
                 for k in 0..CHUNK {
                     let contact = Contact {
                         overlap: overlap[k],
@@ -311,16 +357,13 @@ impl<L: ContactLaw + Clone, S: Sizing> Walk<'_, '_, L, S> {
 impl Contacts {
     /// The forces of a group of contacts, both sides.
     #[inline(always)]
-    fn write<V: Lanes, E: Entry<V>>(&self, zero: V, group: usize, out: &mut [E::Both]) {
-        let [touch, x, y] = [
-            self.touch.group(zero, group),
-            self.normal_x.group(zero, group),
-            self.normal_y.group(zero, group),
-        ];
-        let push = self.push.group(zero, group);
+    fn write<V: Lanes, E: Entry<V>>(&self, zero: V::Group, group: usize, out: &mut [E::Both]) {
+        let at = |column: &Column| zero.load(column.group::<V::Group>(group));
+        let touch = zero.load_mask(self.touch.group::<V::Group>(group));
+        let (x, y, push) = (at(&self.normal_x), at(&self.normal_y), at(&self.push));
         let push = [(push * x).where_all(touch), (push * y).where_all(touch)];
         let spring = if E::HAS_SPRING {
-            let spring = self.spring.group(zero, group);
+            let spring = at(&self.spring);
             [(spring * x).where_all(touch), (spring * y).where_all(touch)]
         } else {
             push
@@ -330,9 +373,10 @@ impl Contacts {
 
     /// The forces of the groups from this one on.
     #[inline(always)]
-    fn write_from<V: Lanes, E: Entry<V>>(&self, zero: V, first: usize, out: &mut [E::Both]) {
-        for (group, out) in (first..).zip(out.chunks_exact_mut(GROUP)) {
-            self.write::<V, E>(zero, group, out);
+    fn write_from<V: Lanes, E: Entry<V>>(&self, zero: V::Group, first: usize, out: &mut [E::Both]) {
+        let size = V::Group::PAIRS;
+        for group in first..out.len().min(CHUNK) / size {
+            self.write::<V, E>(zero, group, &mut out[size * group..][..size]);
         }
     }
 }

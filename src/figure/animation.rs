@@ -11,8 +11,8 @@ use super::gnuplot::{self, DataFile};
 use super::raster::{Canvas, HUES, palette};
 use super::scene::View;
 use super::survey::Survey;
+use crate::number::seconds;
 use crate::output::frames::Frame;
-use crate::output::number::seconds;
 
 /// Colour of discs whose speeds are not known: blue of Okabe and Ito.
 const PLAIN: [u8; 3] = [0x00, 0x72, 0xb2];

@@ -1,6 +1,7 @@
 //! One axis of a chart: its label, its range, where a value lies on it.
 
 use super::{label, ticks};
+use crate::number::{power_of_ten, typographic};
 
 /// How values are spread over an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,11 +115,7 @@ impl Placed {
             let text = |mark: f64| {
                 let power = mark.log10();
                 let is_whole = (power - power.round()).abs() < 1e-9;
-                if is_whole {
-                    label::power_of_ten(power.round() as i32)
-                } else {
-                    label::short(mark, 3)
-                }
+                if is_whole { power_of_ten(power.round() as i32) } else { typographic(mark, 3) }
             };
             return (marks.into_iter().map(|mark| (mark, text(mark))).collect(), 0);
         }
@@ -133,7 +130,7 @@ impl Placed {
         if power == 0 {
             return label.to_owned();
         }
-        let factor = label::power_of_ten(power);
+        let factor = power_of_ten(power);
         match label.rsplit_once(", ") {
             Some((what, unit)) => format!("{what}, {factor} {unit}"),
             None => format!("{label}, {factor}"),

@@ -3,7 +3,7 @@
 use super::axis::{Axis, Placed};
 use super::end_label;
 pub use super::series::{Mark, Series};
-use super::svg::{Anchor, Area, Svg, TEXT, number, text_width};
+use super::svg::{Anchor, Area, Svg, TEXT, coordinate, text_width};
 
 /// A chart.
 #[derive(Clone, Debug, PartialEq)]
@@ -264,7 +264,7 @@ fn draw_line(svg: &mut Svg, series: &Series, run: &[(f64, f64)]) {
     let style = format!(
         "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dash}",
         series.colour,
-        number(width)
+        coordinate(width)
     );
     svg.polyline(run, &style);
 }

@@ -7,12 +7,11 @@ use super::Figure;
 use super::colour::hex;
 use super::frame;
 use super::gnuplot;
-use super::label::short;
 use super::scene::{Scene, Stroke, left_out};
 use crate::force::HalfPlane;
 use crate::neighbours::Neighbours;
+use crate::number::{counted, typographic};
 use crate::output::frames::{Frame, FrameRow};
-use crate::output::number::counted;
 use crate::particle::{Contact, ContactLaw, Particle};
 
 const FILL: [u8; 3] = [0xe5; 3];
@@ -102,7 +101,7 @@ fn widest(frame: &Frame) -> f64 {
 fn title(frame: &Frame, links: &[Link]) -> String {
     let most = match hardest(links) {
         0.0 => String::new(),
-        push => format!(", the largest force {} N", short(push, 3)),
+        push => format!(", the largest force {} N", typographic(push, 3)),
     };
     let contacts = match links.len() {
         0 => "no contacts".to_owned(),
@@ -130,7 +129,7 @@ pub fn figure(frame: &Frame, links: &[Link]) -> Figure {
     scene.discs = frame::plain_discs(frame, FILL);
     scene.edge = EDGE;
     scene.lines = lines(frame, links);
-    let most = short(hardest(links), 3);
+    let most = typographic(hardest(links), 3);
     if links.iter().any(|link| link.push >= 0.0) {
         scene.legend.push((hex(PUSH), format!("push, width by force (full: {most} N)")));
     }

@@ -1,13 +1,14 @@
 //! One frame: discs to scale in their box.
 
+use clap::ValueEnum;
 use std::fmt::Write;
 
 use super::Figure;
 use super::colour;
 use super::gnuplot::{self, DataFile};
 use super::scene::{ColourBar, Disc, Extent, Scene, Stroke, View, left_out};
+use crate::number::{counted, seconds};
 use crate::output::frames::{Frame, FrameRow};
-use crate::output::number::{counted, seconds};
 
 /// The longest arrow, as a fraction of what is shown.
 pub const LONGEST_ARROW: f64 = 0.05;
@@ -17,13 +18,14 @@ pub const PLAIN: [u8; 3] = [0x56, 0xb4, 0xe9];
 const PLAIN_EDGE: [u8; 3] = [0x00, 0x72, 0xb2];
 
 /// What the colour of a disc says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ColourBy {
-    /// Its speed.
+    /// Speed
     Speed,
-    /// Its radius.
+    /// Radius
     Radius,
-    /// Nothing.
+    /// One colour for all
+    #[value(name = "none")]
     Nothing,
 }
 

@@ -1,6 +1,7 @@
 //! What single discs do over time: position, velocity, speed. A disc that bounces is a vertical line in a picture
 //! of its path, and a row of parabolas here.
 
+use clap::ValueEnum;
 use std::fmt::Write;
 
 use glam::DVec2;
@@ -10,39 +11,31 @@ use super::chart::{Chart, Mark, Series};
 use super::colour::OKABE_ITO;
 use super::gnuplot::{self, quoted};
 use super::{Figure, Panel};
+use crate::named::named;
+use crate::number::counted;
 use crate::output::frames::{Frame, FrameRow};
-use crate::output::number::counted;
 
 /// A panel, px.
 const PANEL: (f64, f64) = (900.0, 280.0);
 
-/// Something that a disc has at every moment.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Where it is from the left wall.
-    X,
-    /// Where it is above the floor.
-    Y,
-    /// Velocity to the right.
-    Vx,
-    /// Velocity upward.
-    Vy,
-    /// Size of the velocity.
-    Speed,
+named! {
+    /// Something that a disc has at every moment.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+    pub enum Quantity, name {
+        /// From the left wall
+        X = "x",
+        /// Above the floor
+        Y = "y",
+        /// Velocity to the right
+        Vx = "vx",
+        /// Velocity upward
+        Vy = "vy",
+        /// Size of the velocity
+        Speed = "speed",
+    }
 }
 
 impl Quantity {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Vx => "vx",
-            Self::Vy => "vy",
-            Self::Speed => "speed",
-        }
-    }
-
     /// Whether it can be had from frames with velocities only.
     pub fn is_of_velocity(self) -> bool {
         !matches!(self, Self::X | Self::Y)

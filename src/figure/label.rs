@@ -1,53 +1,6 @@
-//! Numbers for people: marks of an axis, powers of ten, prefixes of units.
+//! Marks of an axis, and prefixes of units.
 
-/// `10` with `power` raised, in letters that need no markup.
-///
-/// ```
-/// assert_eq!(parsim2d::figure::label::power_of_ten(-18), "10⁻¹⁸");
-/// ```
-pub fn power_of_ten(power: i32) -> String {
-    let raised = |c| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '0' | '4'..='9' => char::from_u32('⁰' as u32 + (c as u32 - '0' as u32)).unwrap_or(c),
-        other => other,
-    };
-    format!("10{}", power.to_string().chars().map(raised).collect::<String>())
-}
-
-/// `value` with about `digits` significant digits, a power of ten where it is very large or small.
-///
-/// ```
-/// use parsim2d::figure::label::short;
-/// assert_eq!([short(0.030_04, 3), short(1.5e-7, 3), short(0.0, 3)], ["0.03", "1.5×10⁻⁷", "0"]);
-/// ```
-pub fn short(value: f64, digits: usize) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return format!("{}", value + 0.0);
-    }
-    let text = format!("{value:.*e}", digits.saturating_sub(1));
-    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let power: i32 = power.parse().unwrap_or(0);
-    if (-3..6).contains(&power) {
-        let decimals = (digits as i32 - 1 - power).max(0) as usize;
-        return trimmed(format!("{value:.decimals$}"));
-    }
-    let mantissa = trimmed(mantissa.to_owned());
-    if mantissa == "1" {
-        return power_of_ten(power);
-    }
-    format!("{mantissa}×{}", power_of_ten(power))
-}
-
-fn trimmed(text: String) -> String {
-    if !text.contains('.') {
-        return text;
-    }
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
+use crate::number::power_of_ten;
 /// The power of ten that the marks of a linear axis share: 0 while they read well without one,
 /// else a multiple of three.
 pub fn shared_power(largest: f64) -> i32 {

@@ -7,12 +7,11 @@ use glam::DVec2;
 use super::colour::{OKABE_ITO, hex};
 use super::frame::{self, ColourBy};
 use super::gnuplot::{self, DataFile, quoted};
-use super::label::short;
 use super::scene::{Disc, Scene, left_out};
 use super::survey::Survey;
 use super::{Figure, Panel};
+use crate::number::{counted, seconds, typographic};
 use crate::output::frames::Frame;
-use crate::output::number::{counted, seconds};
 
 /// More discs than this have no paths drawn: they would be a tangle.
 pub const MOST_PATHS: usize = 50;
@@ -197,7 +196,7 @@ pub fn moments_script(
         format!("1:2:3 with circles fs solid noborder fc rgb '{}'", hex(frame::PLAIN))
     };
     let title = if survey.has_velocities && survey.fastest > 0.0 {
-        format!("speed from 0 (dark) to {} m/s (light)", short(survey.fastest, 3))
+        format!("speed from 0 (dark) to {} m/s (light)", typographic(survey.fastest, 3))
     } else {
         String::new()
     };

@@ -4,10 +4,9 @@ use glam::DVec2;
 
 use super::axis::{Axis, Placed};
 use super::colour::{SCALE, hex};
-use super::label::short;
-use super::svg::{Anchor, Area, Svg, TEXT, number};
+use super::svg::{Anchor, Area, Svg, TEXT, coordinate};
+use crate::number::{counted, typographic};
 use crate::output::frames::Frame;
-use crate::output::number::counted;
 
 /// Room around the box, as a fraction of its side.
 pub const MARGIN: f64 = 0.03;
@@ -23,7 +22,7 @@ const SHORTEST_ARROW: f64 = 0.7; // px
 const WHITE: [u8; 3] = [0xff; 3];
 
 /// The square part of the plane that a scene shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
     /// Lower left corner.
     pub corner: DVec2, // m
@@ -131,7 +130,7 @@ pub struct ColourBar {
 }
 
 /// Discs in their box.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Scene {
     /// Above the picture.
     pub title: String,
@@ -161,19 +160,7 @@ pub struct Scene {
 impl Scene {
     /// A scene without discs.
     pub fn new(title: String, view: View, side: Option<f64>) -> Self {
-        Self {
-            title,
-            view,
-            side,
-            discs: Vec::new(),
-            edge: WHITE,
-            paths: Vec::new(),
-            lines: Vec::new(),
-            arrows: Vec::new(),
-            bar: None,
-            legend: Vec::new(),
-            has_axes: true,
-        }
+        Self { title, view, side, edge: WHITE, has_axes: true, ..Self::default() }
     }
 
     /// Draws the scene into `area`: as large as fits, both directions to one scale.
@@ -276,7 +263,7 @@ impl Ground {
             let style = format!(
                 "stroke=\"{}\" stroke-width=\"{}\"",
                 hex(line.colour),
-                number(self.pixels(*width).max(0.3))
+                coordinate(self.pixels(*width).max(0.3))
             );
             svg.line(self.point(line.from), self.point(line.to), &style);
         }
@@ -364,8 +351,8 @@ pub(super) fn draw_strip(svg: &mut Svg, bar: &ColourBar, width: f64) {
     let area = Area { left: width / 2.0 - 120.0, top: 14.0, width: 240.0, height: 14.0 };
     svg.rectangle(area, "fill=\"url(#scale)\" stroke=\"black\"");
     let y = area.bottom() - 1.5;
-    svg.text((area.left - 8.0, y), Anchor::End, &short(bar.low, 3));
+    svg.text((area.left - 8.0, y), Anchor::End, &typographic(bar.low, 3));
     let (what, unit) = bar.label.rsplit_once(", ").unwrap_or((&bar.label, ""));
-    let text = format!("{} {unit} ({what})", short(bar.high, 3));
+    let text = format!("{} {unit} ({what})", typographic(bar.high, 3));
     svg.text((area.right() + 8.0, y), Anchor::Start, &text);
 }

@@ -9,10 +9,9 @@ use super::axis::Axis;
 use super::chart::{Chart, Mark, Series};
 use super::frame::speed;
 use super::gnuplot::{self, quoted};
-use super::label::short;
 use super::ticks;
+use crate::number::{seconds, typographic};
 use crate::output::frames::Frame;
-use crate::output::number::seconds;
 
 const BARS: &str = "#56B4E9";
 const CURVE: &str = "#D55E00";
@@ -175,7 +174,7 @@ impl Histogram {
         if self.is_at_rest() {
             return format!("{count} {speeds}, all zero");
         }
-        let [mean, rms] = [self.moments.mean(), self.moments.rms()].map(|v| short(v, 3));
+        let [mean, rms] = [self.moments.mean(), self.moments.rms()].map(|v| typographic(v, 3));
         format!("{count} {speeds}, mean {mean} m/s, rms {rms} m/s")
     }
 

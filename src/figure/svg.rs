@@ -1,5 +1,6 @@
 //! A small SVG writer: one element a line, numbers with at most two decimals, text escaped.
 
+use crate::number::decimals;
 use std::fmt::Write;
 
 /// Text of labels is so high, pixels.
@@ -50,12 +51,12 @@ pub struct Svg {
 impl Svg {
     /// A white picture of `width` by `height` pixels.
     pub fn new(width: f64, height: f64) -> Self {
-        let (w, h) = (number(width), number(height));
+        let (w, h) = (coordinate(width), coordinate(height));
         let text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
              viewBox=\"0 0 {w} {h}\" font-family=\"Helvetica, Arial, sans-serif\" \
              font-size=\"{}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n",
-            number(TEXT)
+            coordinate(TEXT)
         );
         Self { text, clips: 0 }
     }
@@ -88,7 +89,7 @@ impl Svg {
 
     /// A straight line; `style` holds the attributes for stroke and width.
     pub fn line(&mut self, from: (f64, f64), to: (f64, f64), style: &str) {
-        let [x1, y1, x2, y2] = [from.0, from.1, to.0, to.1].map(number);
+        let [x1, y1, x2, y2] = [from.0, from.1, to.0, to.1].map(coordinate);
         self.element(&format!(
             "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"{}/>",
             spaced(style)
@@ -109,20 +110,20 @@ impl Svg {
         let mut list = String::new();
         for (k, (x, y)) in points.iter().enumerate() {
             let gap = if k > 0 { " " } else { "" };
-            let _ = write!(list, "{gap}{},{}", number(*x), number(*y)); // into memory
+            let _ = write!(list, "{gap}{},{}", coordinate(*x), coordinate(*y)); // into memory
         }
         self.element(&format!("<{name} points=\"{list}\"{}/>", spaced(style)));
     }
 
     /// A circle.
     pub fn circle(&mut self, centre: (f64, f64), radius: f64, style: &str) {
-        let [x, y, r] = [centre.0, centre.1, radius].map(number);
+        let [x, y, r] = [centre.0, centre.1, radius].map(coordinate);
         self.element(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{}/>", spaced(style)));
     }
 
     /// A rectangle.
     pub fn rectangle(&mut self, area: Area, style: &str) {
-        let [x, y, w, h] = [area.left, area.top, area.width, area.height].map(number);
+        let [x, y, w, h] = [area.left, area.top, area.width, area.height].map(coordinate);
         self.element(&format!(
             "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"{}/>",
             spaced(style)
@@ -131,7 +132,7 @@ impl Svg {
 
     /// A line of text at `point`, its baseline.
     pub fn text(&mut self, point: (f64, f64), anchor: Anchor, text: &str) {
-        let [x, y] = [point.0, point.1].map(number);
+        let [x, y] = [point.0, point.1].map(coordinate);
         let anchor = match anchor {
             Anchor::Start => "",
             Anchor::Middle => " text-anchor=\"middle\"",
@@ -142,7 +143,7 @@ impl Svg {
 
     /// A line of text that reads upward, its middle at `point`.
     pub fn text_upward(&mut self, point: (f64, f64), text: &str) {
-        let [x, y] = [point.0, point.1].map(number);
+        let [x, y] = [point.0, point.1].map(coordinate);
         self.element(&format!(
             "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\" \
              transform=\"rotate(-90 {x} {y})\">{}</text>",
@@ -161,24 +162,17 @@ fn spaced(style: &str) -> String {
     if style.is_empty() { String::new() } else { format!(" {style}") }
 }
 
-/// A number with at most two decimals, without trailing zeros. What is far outside any picture, or
+/// A coordinate with at most two decimals. What is far outside any picture, or
 /// no number, is put at its far edge, so that the file stays one that every reader takes.
 ///
 /// ```
-/// use parsim2d::figure::svg::number;
-/// assert_eq!([number(12.0), number(0.125), number(-0.001)], ["12", "0.13", "0"]);
-/// assert_eq!(number(f64::INFINITY), "100000");
+/// use parsim2d::figure::svg::coordinate;
+/// assert_eq!([coordinate(12.0), coordinate(0.125), coordinate(-0.001)], ["12", "0.13", "0"]);
+/// assert_eq!(coordinate(f64::INFINITY), "100000");
 /// ```
-pub fn number(value: f64) -> String {
+pub fn coordinate(value: f64) -> String {
     let value = if value.is_nan() { 0.0 } else { value.clamp(-1e5, 1e5) };
-    let hundredths = (value * 100.0).round() as i64;
-    let (whole, rest) = (hundredths.abs() / 100, hundredths.abs() % 100);
-    let sign = if hundredths < 0 { "-" } else { "" };
-    match rest {
-        0 => format!("{sign}{whole}"),
-        _ if rest % 10 == 0 => format!("{sign}{whole}.{}", rest / 10),
-        _ => format!("{sign}{whole}.{rest:02}"),
-    }
+    decimals(value, 2)
 }
 
 /// `text` with the characters that mean something in XML written as names, and without those that

@@ -6,8 +6,8 @@ use super::Figure;
 use super::colour;
 use super::frame::{self, ColourBy, LONGEST_ARROW};
 use super::gnuplot::{self, DataFile};
-use super::label;
 use super::scene::{Scene, left_out};
+use crate::number::typographic;
 use crate::output::frames::Frame;
 
 const FILL: [u8; 3] = [0xe5; 3];
@@ -16,7 +16,7 @@ const EDGE: [u8; 3] = [0x99; 3];
 fn title(frame: &Frame) -> String {
     let fastest = frame::fastest(frame);
     let speed = if fastest > 0.0 {
-        format!("fastest disc {} m/s", label::short(fastest, 3))
+        format!("fastest disc {} m/s", typographic(fastest, 3))
     } else {
         "all discs at rest".to_owned()
     };

@@ -15,7 +15,6 @@ pub mod folder;
 pub mod gradescope;
 pub mod json;
 pub mod junit;
-pub mod number;
 pub mod plain;
 pub mod student;
 pub mod survey;

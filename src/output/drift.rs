@@ -15,8 +15,6 @@ pub const HEADER: &str =
     "case,integrator,restitution,nt,dt_s,largest_error,final_error,dissipated_J,work_error_J";
 /// The columns of `drift_energy.csv`, in order.
 pub const CURVE_HEADER: &str = "case,integrator,restitution,nt,time_s,error";
-/// The columns of `twin.csv`, in order.
-pub const TWIN_HEADER: &str = "time_s,distance_m";
 
 /// One line of `drift.csv`: one run of the study. Errors are relative to the energy at the start.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -98,9 +96,4 @@ pub fn read(input: impl Read) -> Result<Vec<DriftRow>, String> {
 /// Reads `drift_energy.csv`, likewise.
 pub fn read_curves(input: impl Read) -> Result<Vec<CurveRow>, String> {
     super::rows(input, &[CURVE_HEADER])
-}
-
-/// Reads `twin.csv`, likewise.
-pub fn read_twin(input: impl Read) -> Result<Vec<TwinRow>, String> {
-    super::rows(input, &[TWIN_HEADER])
 }

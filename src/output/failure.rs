@@ -7,8 +7,8 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::OutputError;
-use super::number::seconds;
 use super::replace::replace;
+use crate::number::{energy, seconds};
 
 /// Its name in the output folder.
 pub const FILE: &str = "failure.json";
@@ -81,16 +81,18 @@ impl fmt::Display for FailureReport {
         let damping = match self.dissipated_J {
             Some(took) if took >= 0.0 => {
                 let sum = energy_after_J + took;
-                format!("; with the {took:.4e} J that damping took, {sum:.4e} J")
+                format!("; with the {} that damping took, {}", energy(took), energy(sum))
             }
-            Some(took) => format!("; damping gave {:.4e} J, which it cannot", -took),
+            Some(took) => format!("; damping gave {}, which it cannot", energy(-took)),
             None => String::new(),
         };
         writeln!(f, "the run went wrong at step {step}, t = {} s: {what}", seconds(*time_s, 6))?;
         writeln!(
             f,
-            "  energy: {energy_start_J:.4e} J at the start, {energy_before_J:.4e} J a step before, \
-             then {energy_after_J:.4e} J{damping}"
+            "  energy: {} at the start, {} a step before, then {}{damping}",
+            energy(*energy_start_J),
+            energy(*energy_before_J),
+            energy(*energy_after_J)
         )?;
         match (&self.fault, &self.value) {
             (Some(fault), Some(value)) => {

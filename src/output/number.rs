@@ -1,4 +1,4 @@
-//! Numbers as C's `%.9g` prints them: nine significant digits, always with a dot.
+//! Numbers of data files, as C's `%.9g` prints them: nine significant digits, always with a dot.
 
 /// Significant digits: a position in the guide's box to 1e-11 m.
 const DIGITS: usize = 9;
@@ -8,31 +8,6 @@ const LONGEST: usize = 24;
 
 /// The text `00000000` as one word.
 const ZEROS: u64 = u64::from_le_bytes([b'0'; 8]);
-
-/// A time, s, for a person: with so many decimals, or, where these would show fewer than three digits of it,
-/// with an exponent.
-///
-/// ```
-/// use parsim2d::output::number::seconds;
-/// assert_eq!(seconds(1.0000038, 6), "1.000004");
-/// assert_eq!(seconds(0.009996, 6), "0.009996");
-/// assert_eq!(seconds(2.5e-7, 6), "2.50000e-7");
-/// assert_eq!(seconds(0.0, 4), "0.0000");
-/// ```
-pub fn seconds(time: f64, decimals: usize) -> String {
-    let shows = time == 0.0 || time.abs() >= 10f64.powi(2 - decimals as i32);
-    if shows { format!("{time:.decimals$}") } else { format!("{time:.*e}", decimals - 1) }
-}
-
-/// So many of what `one` is the name of.
-///
-/// ```
-/// use parsim2d::output::number::counted;
-/// assert_eq!([counted(1, "disc"), counted(20, "disc")], ["1 disc", "20 discs"]);
-/// ```
-pub fn counted(n: usize, one: &str) -> String {
-    format!("{n} {one}{}", if n == 1 { "" } else { "s" })
-}
 
 /// Appends `value` in at most nine significant digits, without trailing zeros; in exponent form
 /// below 1e-4 and from 1e9 on.

@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::number::{counted, seconds};
 use crate::analysis::answer::Answer;
+use crate::number::{at_most, bytes, counted, energy, seconds, signed, significant, time_step};
 
 /// Discs from which on a person may want to know the memory.
 const MANY: usize = 10_000;
@@ -107,10 +107,9 @@ impl Summary {
             _ => String::new(),
         };
         let speed = 1e-6 * self.particle_steps_per_s;
-        let (start, end) = (self.energy_start_J, self.energy_end_J);
-        let dissipated = self.dissipated_J.map(|d| format!(", {d:.6e} J dissipated"));
+        let dissipated = self.dissipated_J.map(|d| format!(", {} dissipated", energy(d)));
         writeln!(out, "n        {}, preset {preset}, seed {seed}", counted(*n, "disc"))?;
-        writeln!(out, "dt       {dt_s:.4e} s ({}), {integrator}", self.who_set_dt())?;
+        writeln!(out, "dt       {} ({}), {integrator}", time_step(*dt_s), self.who_set_dt())?;
         let steps = counted(*steps as usize, "step");
         writeln!(out, "run      {steps} to t = {} s{stopped}", seconds(*time_s, 6))?;
         let threads = match self.threads {
@@ -122,40 +121,29 @@ impl Summary {
             "speed    {wall_s:.2} s wall time, {speed:.3} million particle-steps/s{threads}"
         )?;
         if let Some(memory) = self.peak_memory_MB.filter(|_| *n >= MANY) {
-            writeln!(out, "memory   at most {memory:.0} MB")?;
+            writeln!(out, "memory   at most {}", bytes((1e6 * memory) as u64))?;
         }
-        write!(out, "energy   {start:.6e} J at start, {end:.6e} J at end")?;
+        let start = self.energy_start_J;
+        write!(out, "energy   {} at start, {} at end", energy(start), energy(self.energy_end_J))?;
         writeln!(out, "{}", dissipated.unwrap_or_default())?;
         if let Some(error) = self.energy_error_J.filter(|error| error.is_finite()) {
-            let percent = signed(100.0 * error / start.abs());
+            let percent = signed(100.0 * error / start.abs(), 3);
             let share = if start == 0.0 { "" } else { &format!(", {percent} % of the start") };
-            writeln!(
-                out,
-                "error    the total changed by {error:+.2e} J{share} (integration error)"
-            )?;
+            let error = signed(error, 3);
+            writeln!(out, "error    the total changed by {error} J{share} (integration error)")?;
         }
-        let overlap = self.max_overlap_over_r;
-        let digits = if overlap < 1e6 { format!("{overlap:.3}") } else { format!("{overlap:.1e}") };
-        write!(out, "overlap  at most {digits} r")?;
+        write!(out, "overlap  at most {} r", significant(self.max_overlap_over_r, 3))?;
         writeln!(out, "{}", remark.unwrap_or_default())?;
         writeln!(out, "state    {}", self.state_hash)
     }
 
     fn who_set_dt(&self) -> String {
-        let nt = (1e6 * self.steps_per_contact).round() / 1e6; // 50, not 49.99999999999999
+        let nt = at_most(self.steps_per_contact, 6); // 50, not 49.99999999999999
         match self.dt_set_by {
             "nt" => format!("Eq. (2), N_t = {nt} set by --nt"),
-            "dt" => format!("set by --dt, N_t = {nt:.3}"),
-            "auto" => format!("set by --dt auto, N_t = {nt:.3}"),
+            "dt" => format!("set by --dt, N_t = {nt}"),
+            "auto" => format!("set by --dt auto, N_t = {nt}"),
             _ => format!("Eq. (2), N_t = {nt} set by the preset"),
         }
-    }
-}
-
-/// `value` in three digits with its sign.
-fn signed(value: f64) -> String {
-    match value.abs() {
-        size if size == 0.0 || (1e-3..1e4).contains(&size) => format!("{value:+.3}"),
-        _ => format!("{value:+.2e}"),
     }
 }

@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::html::{list as names_and_values, table};
 use super::words::Words;
+use crate::number::{shortest, time_step};
 
 /// Listed discs and groups that a page has room for.
 const MOST_LISTED: usize = 8;
@@ -23,7 +24,7 @@ pub fn list(text: &str, dt: Option<f64>, words: &Words) -> Markup {
         Some((name.map_or(key, |(_, name)| name).to_owned(), value))
     };
     let mut rows: Vec<_> = keys.filter_map(named).collect();
-    rows.extend(dt.map(|dt| (words.time_step.to_owned(), format!("{} s", number(dt, Some(6))))));
+    rows.extend(dt.map(|dt| (words.time_step.to_owned(), time_step(dt))));
     names_and_values(&rows)
 }
 
@@ -73,18 +74,6 @@ fn parsed(line: &str) -> Option<(&str, String)> {
     let unit = unit.split(',').next().unwrap_or_default();
     // A whole number, a seed of twenty digits say, stays as it is.
     let rounded = value.parse().ok().filter(|_| value.contains(['.', 'e']));
-    let value = rounded.map_or(value.to_owned(), |value| number(value, None));
+    let value = rounded.map_or(value.to_owned(), shortest);
     Some((key, format!("{value} {unit}").trim_end().to_owned()))
-}
-
-/// A number of so many digits, or of as many as it takes.
-fn number(value: f64, digits: Option<usize>) -> String {
-    let value = match digits {
-        Some(digits) => format!("{value:.*e}", digits - 1).parse().unwrap_or(value),
-        None => value,
-    };
-    match value.abs() {
-        size if size == 0.0 || (1e-3..1e16).contains(&size) => format!("{value}"),
-        _ => format!("{value:e}"),
-    }
 }

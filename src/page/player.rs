@@ -9,7 +9,10 @@ use super::words::{PlayerWords, Words};
 use crate::analysis::energy::LedgerRow;
 use crate::figure::energy::{self, EXPLODED};
 use crate::figure::{colour, label};
+use crate::number::{rounded, typographic};
 
+/// Digits of the numbers: a picture needs no more, and the page becomes smaller.
+const DIGITS: usize = 6;
 const SCRIPT: &str = include_str!("player.js");
 /// The style of pages with a player.
 pub const STYLE: &str = include_str!("style.css");
@@ -129,7 +132,7 @@ fn contents<'a>(
         side: film.side(),
         times: film.times(),
         frames: film.frames().0,
-        radii: film.radii().iter().map(|radius| digits(*radius)).collect(),
+        radii: film.radii().iter().map(|radius| rounded(*radius, DIGITS)).collect(),
         fastest: film.fastest(),
         shades: (0..SHADES).map(shade).collect(),
         plain: colour::OKABE_ITO[0].to_owned(),
@@ -168,7 +171,8 @@ fn energies(all: &[LedgerRow], words: &PlayerWords) -> Option<Energies> {
     let (prefix, power) = if is_log { (String::new(), 0) } else { label::prefix(largest) };
     let curves = shown.into_iter().map(|(name, _, colour, _, column)| {
         let said = words.energies.iter().find(|(known, _)| *known == name);
-        let values = rows.iter().map(|row| digits(column(row) * 10f64.powi(-power))).collect();
+        let values =
+            rows.iter().map(|row| rounded(column(row) * 10f64.powi(-power), DIGITS)).collect();
         Curve { name: said.map_or(name, |(_, said)| said), colour, values }
     });
     Some(Energies {
@@ -177,11 +181,6 @@ fn energies(all: &[LedgerRow], words: &PlayerWords) -> Option<Energies> {
         times: rows.iter().map(|row| row.time_s).collect(),
         curves: curves.collect(),
     })
-}
-
-/// Six digits: a picture needs no more, and the page becomes smaller.
-fn digits(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// The curves of the energies, and their values at the moment.
@@ -204,7 +203,7 @@ fn bar(fastest: f64, words: &PlayerWords) -> Markup {
     let shades: Vec<String> = colour::SCALE.iter().map(|shade| colour::hex(*shade)).collect();
     let scale = format!("background: linear-gradient(to right, {})", shades.join(", "));
     html! {
-        p.bar { span { (words.speed) } " 0 " i style=(scale) {} " " (label::short(fastest, 3)) " m/s" }
+        p.bar { span { (words.speed) } " 0 " i style=(scale) {} " " (typographic(fastest, 3)) " m/s" }
     }
 }
 

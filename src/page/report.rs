@@ -9,9 +9,10 @@ use super::parameters;
 use super::player::{Beginning, STYLE, player};
 use super::small::{self, panels};
 use super::words::Words;
-use crate::analysis::answer::{Answer, AnswerRow};
+use crate::analysis::answer::Answer;
 use crate::analysis::energy::LedgerRow;
 use crate::figure::Figure;
+use crate::number::{bytes, significant};
 use crate::scenario::diagnosis::{CAVEAT, Diagnosis, cell};
 use crate::scenario::finding::Verdict;
 
@@ -114,7 +115,7 @@ impl Report {
                         (words.data)
                         @for (k, (name, bytes)) in self.data.iter().enumerate() {
                             @if k > 0 { "; " }
-                            a href=(name) { (name) } ", " (size(*bytes))
+                            a href=(name) { (name) } ", " (self::bytes(*bytes))
                         }
                     }
                 }
@@ -151,11 +152,7 @@ impl Report {
             return html! {};
         }
         let mut rows = vec![words.answer_head.map(str::to_owned).to_vec()];
-        for AnswerRow { what, unit, theory, measured, error, order } in self.answer.rows() {
-            let what = if unit.is_empty() { what.clone() } else { format!("{what}, {unit}") };
-            let order = order.map_or("-".to_owned(), |order| format!("{order:.1}"));
-            rows.push(vec![what, short(*theory), short(*measured), format!("{error:+.1e}"), order]);
-        }
+        rows.extend(self.answer.rows().iter().map(|row| row.cells().to_vec()));
         section(words.answer, &table(&rows))
     }
 
@@ -257,25 +254,5 @@ fn sentence(verdict: Verdict, text: &str) -> Markup {
 /// A value with six digits, if it is a number that has more; else as it is.
 fn rounded(value: &str) -> String {
     let number = value.parse().ok().filter(|_| value.contains(['.', 'e']));
-    number.map_or(value.to_owned(), short)
-}
-
-/// Six digits.
-fn short(number: f64) -> String {
-    match number.abs() {
-        size if (1e-3..1e5).contains(&size) => {
-            let digits = (5 - size.log10().floor() as i32).clamp(0, 8) as usize;
-            format!("{number:.digits$}")
-        }
-        _ => format!("{number:.5e}"),
-    }
-}
-
-/// A size for a person.
-fn size(bytes: u64) -> String {
-    match bytes {
-        0..10_000 => format!("{bytes} bytes"),
-        10_000..10_000_000 => format!("{} kB", bytes / 1000),
-        _ => format!("{} MB", bytes / 1_000_000),
-    }
+    number.map_or(value.to_owned(), |value| significant(value, 6))
 }

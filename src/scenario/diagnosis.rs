@@ -9,6 +9,7 @@ use super::finding::{Finding, Matter, Verdict};
 use super::judgement::{FEWEST_STEPS, LONG_STRIDE, SOFT};
 use crate::analysis::collision::ContactEnd;
 use crate::analysis::stability::{self, COARSE, LimitedBy};
+use crate::number::{significant, time_step};
 
 /// Linear limits say only this much.
 pub const CAVEAT: &str = "These limits are necessary, not sufficient: contacts open and close. With \
@@ -89,7 +90,8 @@ impl Scenario {
         let sentence = match worst {
             Some(finding) => finding.sentence(),
             None => format!(
-                "dt = {dt:.3e} s is {:.2} of the largest stable step for {}",
+                "dt = {} is {:.2} of the largest stable step for {}",
+                time_step(dt),
                 dt / limit.dt,
                 limit.by
             ),
@@ -221,12 +223,7 @@ pub fn cell(value: Option<f64>) -> String {
     match value {
         None => "-".to_owned(),
         Some(value) if value.is_infinite() => "never ends".to_owned(),
-        Some(0.0) => "0".to_owned(),
-        Some(value) if (1e-2..1e5).contains(&value.abs()) => {
-            let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 5) as usize;
-            format!("{value:.digits$}")
-        }
-        Some(value) => format!("{value:.3e}"),
+        Some(value) => significant(value, 4),
     }
 }
 

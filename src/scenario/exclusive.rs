@@ -1,10 +1,7 @@
 //! Choices that exclude each other.
 
-use super::error::ScenarioError;
-use super::settings::Settings;
-
 /// Groups of which at most one member may be said, and what each of them says.
-const GROUPS: [(&[&str], &str); 11] = [
+pub(super) const GROUPS: [(&[&str], &str); 11] = [
     (&["eta", "gamma", "restitution"], "the damping"),
     (&["nt", "dt"], "the time step"),
     (&["walls", "no_walls"], "whether there are walls"),
@@ -18,29 +15,8 @@ const GROUPS: [(&[&str], &str); 11] = [
     (&["placement", "only [[disc]]"], "where the discs are"),
 ];
 
-/// Refuses two choices of one group.
-pub(super) fn check(settings: &Settings) -> Result<(), ScenarioError> {
-    for (group, what) in GROUPS {
-        let mut said = group.iter().filter(|name| is_said(settings, name));
-        if let (Some(&one), Some(&other)) = (said.next(), said.next()) {
-            let why = format!("both say {what}");
-            return Err(ScenarioError::Conflict { one: one.into(), other: other.into(), why });
-        }
-    }
-    Ok(())
-}
-
 /// The flags that cannot stand beside that of the key `name`: those that say the same in another way.
 pub(super) fn flags(name: &str) -> impl Iterator<Item = &'static str> {
     let groups = GROUPS.iter().take(3).filter(move |(group, _)| group.contains(&name));
     groups.flat_map(|(group, _)| group.iter().copied()).filter(move |other| *other != name)
-}
-
-fn is_said(settings: &Settings, name: &str) -> bool {
-    match name {
-        "only [[disc]]" => !settings.discs.is_empty() && settings.populations.is_empty(),
-        "[[disc]]" => !settings.discs.is_empty(),
-        "[[population]]" => !settings.populations.is_empty(),
-        key => settings.says(key),
-    }
 }

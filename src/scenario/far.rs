@@ -1,9 +1,9 @@
 //! Discs so far out that rounding swallows their steps: a number of 1e9 m has neighbours 1.2e-7 m away.
 
 use super::finding::{Finding, Matter, Verdict};
-use super::number::Num;
 use super::{DiscSource, Scenario};
 use crate::analysis::twin::next_up;
+use crate::number::{at_most, shortest};
 use crate::particle::Particle;
 
 /// A step of fewer spacings than this is rounded by an eighth of itself, or more.
@@ -33,16 +33,16 @@ impl Scenario {
             verdict: Verdict::Coarse,
             what: format!(
                 "far out: {who} moves {} m in a step, and numbers near {} m are {} m apart, so that {what_happens}",
-                Num::rounded(path),
-                Num::rounded(at),
-                Num::rounded(spacing)
+                at_most(path, 3),
+                at_most(at, 3),
+                at_most(spacing, 3)
             ),
             fault: match &self.discs {
                 DiscSource::Equal(_) => "--side".to_owned(),
                 DiscSource::Listed(..) => format!("{who}: position"),
                 DiscSource::Frame { .. } => "--start".to_owned(),
             },
-            value: Num(at).to_string(),
+            value: shortest(at),
             ways_out: vec!["positions nearer to the origin".to_owned()],
         })
     }

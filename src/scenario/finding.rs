@@ -4,25 +4,25 @@ use std::fmt;
 
 use serde::Serialize;
 
-/// How far a run can be trusted, by what can be told before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Verdict {
-    /// Nothing against it.
-    Good,
-    /// It runs, and its numbers are rough.
-    Coarse,
-    /// It does not describe discs in contact: it explodes, or they jump over each other.
-    Unstable,
+use crate::named::named;
+
+named! {
+    /// How far a run can be trusted, by what can be told before it.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Verdict, name {
+        /// Nothing against it.
+        Good = "good",
+        /// It runs, and its numbers are rough.
+        Coarse = "coarse",
+        /// It does not describe discs in contact: it explodes, or they jump over each other.
+        Unstable = "unstable",
+    }
 }
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Good => "good",
-            Self::Coarse => "coarse",
-            Self::Unstable => "unstable",
-        })
+        f.pad(self.name())
     }
 }
 

@@ -6,8 +6,8 @@ use std::str::FromStr;
 use glam::DVec2;
 use serde::Deserialize;
 
-use super::number::Num;
 use super::quantity::{Acceleration, Pair, Quantity};
+use crate::number::shortest;
 
 /// The acceleration of gravity, m/s2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,9 +84,9 @@ impl Gravity {
     pub(super) fn said(self) -> String {
         let DVec2 { x, y } = self.vector;
         if self.is_vertical() {
-            return Num(-y).to_string();
+            return shortest(-y);
         }
-        format!("[{},{}]", Num(x), Num(y))
+        format!("[{},{}]", shortest(x), shortest(y))
     }
 }
 

@@ -6,9 +6,9 @@ mod step;
 mod stepped;
 
 use super::finding::{Finding, Matter, Verdict};
-use super::number::Num;
 use super::suspects::Suspect;
 use super::{Scenario, StepChoice};
+use crate::number::shortest;
 
 /// Overlaps above this many radii are called soft.
 pub const SOFT: f64 = 0.5;
@@ -68,7 +68,7 @@ impl Scenario {
         let stiffness = self.firm_stiffness(self.expected_overlap());
         let mended = Self { stiffness, step: StepChoice::Auto, ..self.clone() };
         let runs = mended.is_runnable() && mended.is_firm_enough();
-        runs.then(|| (format!("--kn {} with --dt auto", Num(stiffness)), mended))
+        runs.then(|| (format!("--kn {} with --dt auto", shortest(stiffness)), mended))
     }
 
     /// A finding with its parameter at fault, and up to three changes that are well: the usual value
@@ -83,7 +83,7 @@ impl Scenario {
         nt: f64,
     ) -> Finding {
         let Suspect { name, value, usual, mended } = self.blamed(&is_well, strain);
-        let finer = self.in_place_of_dt(format!("--nt {}", Num(nt)));
+        let finer = self.in_place_of_dt(format!("--nt {}", shortest(nt)));
         let finer = (finer, self.with_step(StepChoice::Nt(nt)));
         let auto = ("--dt auto".to_owned(), self.with_step(StepChoice::Auto));
         let mut tries = vec![(usual, mended), finer, auto];

@@ -3,10 +3,10 @@
 
 use clap::builder::PossibleValue;
 
-use super::file::did_you_mean;
 use super::keys::KEYS;
-use super::number::Num;
+use super::nearest::did_you_mean;
 use super::quantity::is_with_unit;
+use crate::number::shortest;
 
 /// A sentence for the parser's `message` on line `number` (from 1) of `text`, with the line as it should be;
 /// `None` where the parser says it well.
@@ -183,7 +183,7 @@ fn of_value(message: &str, key: &str, value: &str) -> Option<String> {
     match value.parse::<f64>() {
         Ok(number) => Some(format!(
             "a number has no leading zero, and a digit on each side of its dot: {key} = {}",
-            Num(number)
+            shortest(number)
         )),
         Err(_) if value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
             Some(format!("a number stands alone and is written out, as 5e-4: {value} is none"))
@@ -211,9 +211,9 @@ fn of_commas(message: &str, key: &str, value: &str) -> Option<String> {
         Ok(small) if whole.is_some_and(|whole| whole != 0) => Some(format!(
             "{DOT}, and nothing between thousands: {key} = {}, or {}",
             value.replace(',', ""),
-            Num(small)
+            shortest(small)
         )),
-        Ok(number) => Some(format!("{DOT}: {key} = {}", Num(number))),
+        Ok(number) => Some(format!("{DOT}: {key} = {}", shortest(number))),
         Err(_) => Some(DOT.to_owned()),
     }
 }

@@ -3,6 +3,7 @@
 
 use super::error::ScenarioError;
 use super::{DiscSource, Scenario};
+use crate::number::{bytes, rounded_down};
 
 /// The program itself, its buffers, and what it reads.
 const PROGRAM: f64 = 12e6; // bytes
@@ -45,9 +46,7 @@ impl Scenario {
         let n = self.n();
         let a_disc = (needed as f64 - PROGRAM) / n as f64;
         let most = ((is as f64 - PROGRAM) / a_disc).max(0.0);
-        // Two digits, rounded down: a number to type.
-        let digit = 10f64.powi(most.max(1.0).log10() as i32 - 1).max(1.0);
-        let most = ((most / digit).floor() * digit) as u64;
+        let most = rounded_down(most, 2) as u64; // a number to type
         let allowed = format!(
             "so many discs need about {} of memory, and there are {} ({whose})",
             bytes(needed),
@@ -58,19 +57,5 @@ impl Scenario {
             _ => ("the number of discs", "fewer discs, or more memory".to_owned()),
         };
         Err(ScenarioError::out_of_range(field, n, allowed, way_out))
-    }
-}
-
-/// So many bytes as a person says it: 1 MB is a million of them.
-///
-/// ```
-/// use parsim2d::scenario::memory::bytes;
-/// assert_eq!(bytes(272_000_000), "272 MB");
-/// assert_eq!(bytes(26_012_000_000), "26.0 GB");
-/// ```
-pub fn bytes(bytes: u64) -> String {
-    match bytes as f64 {
-        bytes if bytes < 1e9 => format!("{:.0} MB", (bytes / 1e6).ceil()),
-        bytes => format!("{:.1} GB", bytes / 1e9),
     }
 }

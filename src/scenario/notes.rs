@@ -1,12 +1,11 @@
 //! Plain lines said before a run: what the guide's numbers do, and what would be better.
 
 use super::finding::{Finding, Matter, Verdict};
-use super::number::{Num, round_up};
 use super::preset::Preset;
 use super::settings::{PlacementName, Settings};
 use super::{DampingChoice, DiscSource, Scenario};
 use crate::analysis::collision::{damping_ratio, restitution};
-use crate::output::number::counted;
+use crate::number::{at_most, counted, safely_above, shortest};
 use crate::particle::Particle;
 
 /// Particle-steps a second on one core of a laptop; for a rough guess only.
@@ -69,7 +68,7 @@ impl Scenario {
             damping_ratio(eta, self.linear(reduced_mass).stiffness, reduced_mass)
         };
         let zeta = zeta_of(1.5e3, 0.5 * self.mass);
-        let times = format!("{} times critical damping for a pair", Num::rounded(zeta));
+        let times = format!("{} times critical damping for a pair", at_most(zeta, 3));
         let unchanged = self.damping == self.preset.values().damping;
         match (self.preset, self.damping) {
             (Preset::Guide | Preset::GuideListing, _) if unchanged => Some(format!(
@@ -112,7 +111,7 @@ impl Scenario {
     fn note_on_gravity(&self) -> Option<String> {
         let up = self.gravity.vector.y;
         (self.gravity.is_vertical() && up > 0.0).then(|| {
-            let up = Num(up);
+            let up = shortest(up);
             format!(
                 "gravity is positive downward (y of a vector [gx, gy] is up): this one pulls up; \
                  --gravity {up} pulls down"
@@ -138,7 +137,7 @@ impl Scenario {
             format!(
                 "a long run: {:.0e} particle-steps, some {} minutes at {:.0e} a second{advice}",
                 particle_steps,
-                round_up(minutes),
+                safely_above(minutes),
                 USUAL_SPEED
             )
         })

@@ -1,8 +1,8 @@
 //! What to do about a frame that cannot be a start: each offer is tried before it is made.
 
-use super::number::Num;
 use super::overlap::Overlap;
 use super::{DiscSource, Scenario, start};
+use crate::number::{rounded_up, shortest};
 use crate::particle::Particle;
 
 impl Scenario {
@@ -44,21 +44,19 @@ impl Scenario {
         let DiscSource::Frame { side: own, .. } = &self.discs else { return };
         let holds = |side: f64| Self { side, ..self.clone() }.allows(discs);
         if let Some(own) = own.filter(|&own| own != self.side && holds(own)) {
-            offers.push(format!("--side {}, as the frame itself says", Num(own)));
+            offers.push(format!("--side {}, as the frame itself says", shortest(own)));
             return;
         }
         let reach = |disc: &Particle| disc.position.max_element() + disc.radius;
         let furthest = discs.iter().map(reach).fold(0.0, f64::max);
-        let digit = 10f64.powf(furthest.log10().floor() - 1.0);
-        let side = (furthest / digit).ceil() * digit;
-        let side = format!("{side:.1e}").parse().unwrap_or(side);
+        let side = rounded_up(furthest, 2);
         let are_all_outside = discs.iter().all(|disc| disc.position.max_element() > self.side);
         if holds(side) {
             let unit = match are_all_outside {
                 true => "no disc is in the box: lengths are read in m, and these may be in mm; ",
                 false => "",
             };
-            offers.push(format!("{unit}--side {} holds the discs as they are", Num(side)));
+            offers.push(format!("{unit}--side {} holds the discs as they are", shortest(side)));
         } else if (Self { walls: false, ..self.clone() }).allows(discs) {
             offers.push(
                 "shift the positions of the file to between 0 and the side; or --no-walls, for no box"

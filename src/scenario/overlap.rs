@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use glam::DVec2;
 
 use super::finding::{Finding, Matter, Verdict};
-use super::number::Num;
 use super::{DiscSource, Scenario};
 use crate::analysis::collision::angular_frequency;
 use crate::force::HalfPlane;
 use crate::neighbours::Neighbours;
+use crate::number::at_most;
 use crate::particle::{Contact, ContactLaw, Particle, SpringDashpot};
 
 /// Overlaps below this many radii are rounding, or contacts at rest.
@@ -108,7 +108,7 @@ impl Scenario {
         }
         let (deepest, _) = self.deepest_overlap(&discs, |overlap| overlap.parting_speed);
         let deepest = deepest.filter(|deepest| deepest.relative > TOUCHING)?;
-        let (disc, relative) = (deepest.disc, Num::rounded(deepest.relative));
+        let (disc, relative) = (deepest.disc, at_most(deepest.relative, 3));
         let speed = deepest.parting_speed;
         let (who, whom) = match deepest.other {
             Some(other) => {
@@ -122,7 +122,7 @@ impl Scenario {
             what: format!(
                 "overlap at the start: {whom} overlap by {relative} r, and their spring throws them \
                  apart at {} m/s",
-                Num::rounded(speed)
+                at_most(speed, 3)
             ),
             fault: format!("{who}: position"),
             value: format!("{relative} r of overlap"),

@@ -4,10 +4,10 @@ use glam::DVec2;
 use rand_pcg::Pcg64;
 
 use super::error::ScenarioError;
-use super::number::Num;
 use super::overlap::Overlap;
 use super::settings::PlacementName;
 use super::{DiscSource, Population, Scenario};
+use crate::number::{at_most, rounded, shortest};
 use crate::particle::Particle;
 use crate::placement::thrown::throw;
 use crate::placement::{self, PlacementError};
@@ -130,7 +130,7 @@ impl Scenario {
                 format!("discs {disc} and {other} have the same centre")
             }
             Some(other) if relative > 1.0 => {
-                let relative = Num::rounded(relative);
+                let relative = at_most(relative, 3);
                 format!("discs {disc} and {other} overlap by {relative} radii (at most 1)")
             }
             None if relative >= 1.0 => {
@@ -162,10 +162,8 @@ impl Scenario {
         // Comfortably below the random limit; walls cost some room too.
         let shrink = (0.4 / fraction).min(0.8);
         let (_, largest) = self.radius_range();
-        let radius = 0.95 * self.radius * shrink.sqrt();
-        let radius = format!("{radius:.1e}").parse().unwrap_or(radius);
-        let side = (1.05 * self.side / shrink.sqrt()).max(2.5 * largest);
-        let side = format!("{side:.1e}").parse().unwrap_or(side);
+        let radius = rounded(0.95 * self.radius * shrink.sqrt(), 2);
+        let side = rounded((1.05 * self.side / shrink.sqrt()).max(2.5 * largest), 2);
         let mut changes = Vec::new();
         if let DiscSource::Equal(n) = self.discs {
             let fewer = (n as f64 * shrink) as usize;
@@ -173,9 +171,10 @@ impl Scenario {
             changes.push(("--placement lattice".to_owned(), lattice));
             let discs = DiscSource::Equal(fewer.max(1));
             changes.push((format!("-n {}", fewer.max(1)), Self { discs, ..self.clone() }));
-            changes.push((format!("--radius {}", Num(radius)), Self { radius, ..self.clone() }));
+            changes
+                .push((format!("--radius {}", shortest(radius)), Self { radius, ..self.clone() }));
         }
-        changes.push((format!("--side {}", Num(side)), Self { side, ..self.clone() }));
+        changes.push((format!("--side {}", shortest(side)), Self { side, ..self.clone() }));
         let differs = |changed: &Self| changed != self;
         changes.retain(|(_, changed)| differs(changed) && changed.finds_room());
         let ways_out = those_that_run(changes);
@@ -197,7 +196,7 @@ impl Scenario {
             let discs = DiscSource::Equal(most);
             changes.push((format!("-n {most}"), Self { discs, ..self.clone() }));
         }
-        let two_digits = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
+        let two_digits = |value: f64| rounded(value, 2);
         // By steps of one in the second digit; what a lattice covers lies between 0.5 and 0.9069 of the box.
         let (mut radius, mut side) = (two_digits(self.radius), two_digits(self.side));
         while !holds(radius, self.side) {
@@ -206,8 +205,8 @@ impl Scenario {
         while !holds(self.radius, side) {
             side = two_digits(side + 0.1 * 10f64.powf(side.log10().floor()));
         }
-        changes.push((format!("--radius {}", Num(radius)), Self { radius, ..self.clone() }));
-        changes.push((format!("--side {}", Num(side)), Self { side, ..self.clone() }));
+        changes.push((format!("--radius {}", shortest(radius)), Self { radius, ..self.clone() }));
+        changes.push((format!("--side {}", shortest(side)), Self { side, ..self.clone() }));
         those_that_run(changes)
     }
 

@@ -2,9 +2,9 @@
 
 use super::Scenario;
 use super::finding::{Finding, Matter, Verdict};
-use super::number::{Num, round_up};
 use super::suspects::IN_PLACE_OF_DT;
 use crate::analysis::guard::{Trouble, Wrong};
+use crate::number::{at_most, safely_above, shortest};
 use crate::output::failure::FailureReport;
 
 /// What is said behind a finer step that may help.
@@ -85,16 +85,16 @@ impl Scenario {
         let sentence = format!(
             "the diagnosis found nothing against this run beforehand (`parsim2d check`); the disc \
              moved {} r in a step",
-            Num::rounded(travel)
+            at_most(travel, 3)
         );
-        let finer = self.in_place_of_dt(format!("--nt {}", Num(round_up(4.0 * nt))));
+        let finer = self.in_place_of_dt(format!("--nt {}", shortest(safely_above(4.0 * nt))));
         (sentence, vec![format!("{finer}{TO_SEE}")])
     }
 }
 
 fn what(trouble: &Trouble) -> String {
     let id = |k: usize| trouble.discs.get(k).map_or("?".to_owned(), usize::to_string);
-    let overlap = Num::rounded(trouble.overlap);
+    let overlap = at_most(trouble.overlap, 3);
     let at_wall = trouble.wall.map(|wall| format!(", {overlap} r deep in the {wall} wall"));
     match trouble.wrong {
         Wrong::NotFinite => format!("the state of disc {} is not finite any more", id(0)),
@@ -105,7 +105,7 @@ fn what(trouble: &Trouble) -> String {
             "disc {} sank {overlap} r into the {} wall, its centre {} r beyond",
             id(0),
             trouble.wall.unwrap_or("?"),
-            Num::rounded(trouble.overlap - 1.0)
+            at_most(trouble.overlap - 1.0, 3)
         ),
         Wrong::EnergyGrown => format!(
             "the energy{} has grown by more than all that could move the discs at the start; the \
@@ -116,7 +116,7 @@ fn what(trouble: &Trouble) -> String {
                 ", with what damping took,"
             },
             id(0),
-            Num::rounded(trouble.speed),
+            at_most(trouble.speed, 3),
             at_wall.unwrap_or_default()
         ),
     }

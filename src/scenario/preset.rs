@@ -4,20 +4,23 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::{DampingChoice, StepChoice};
+use crate::named::named;
 
-/// Which set of parameters a run starts from. Flags and keys override single ones.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Preset {
-    /// The guide's text (r = 1e-4 m), with eta_n = 1.5e-3 kg/s for its printed 1.5e3
-    #[default]
-    Guide,
-    /// The guide's listing: the same with r = 5e-4 m
-    GuideListing,
-    /// eta_n = 1.5e3 kg/s as printed, with a time step small enough for it
-    GuidePrinted,
-    /// The printed 1.5e3 read as a rate, gamma = 1.5e3 1/s with eta_n = m_eff gamma
-    GuideMassScaled,
+named! {
+    /// Which set of parameters a run starts from. Flags and keys override single ones.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize, Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Preset, name {
+        /// The guide's text (r = 1e-4 m), with eta_n = 1.5e-3 kg/s for its printed 1.5e3
+        #[default]
+        Guide = "guide",
+        /// The guide's listing: the same with r = 5e-4 m
+        GuideListing = "guide-listing",
+        /// eta_n = 1.5e3 kg/s as printed, with a time step small enough for it
+        GuidePrinted = "guide-printed",
+        /// The printed 1.5e3 read as a rate, gamma = 1.5e3 1/s with eta_n = m_eff gamma
+        GuideMassScaled = "guide-mass-scaled",
+    }
 }
 
 /// What a preset sets. All in SI units.
@@ -42,20 +45,6 @@ pub struct PresetValues {
 }
 
 impl Preset {
-    /// All presets, in the order in which they are listed.
-    pub const ALL: [Self; 4] =
-        [Self::Guide, Self::GuideListing, Self::GuidePrinted, Self::GuideMassScaled];
-
-    /// Its name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Guide => "guide",
-            Self::GuideListing => "guide-listing",
-            Self::GuidePrinted => "guide-printed",
-            Self::GuideMassScaled => "guide-mass-scaled",
-        }
-    }
-
     /// Its numbers.
     pub fn values(self) -> PresetValues {
         let guide = PresetValues {

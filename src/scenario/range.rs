@@ -1,7 +1,7 @@
 //! The ranges of numbers, checked at the entrance: the value, or an error with the allowed range and a way out.
 
 use super::error::ScenarioError;
-use super::number::Num;
+use crate::number::{rounded_down, shortest};
 
 /// The finite numbers from `least` to `most`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +51,7 @@ impl Range {
         if self.has(value) {
             return Ok(value);
         }
-        Err(ScenarioError::out_of_range(field, Num(value), self.allowed(), way_out))
+        Err(ScenarioError::out_of_range(field, shortest(value), self.allowed(), way_out))
     }
 
     /// The whole number `value` of the `field` if it is in this range.
@@ -75,7 +75,7 @@ impl Range {
 
     /// What must be, in words.
     fn allowed(self) -> String {
-        let (least, most) = (Num(self.least), Num(self.most));
+        let (least, most) = (shortest(self.least), shortest(self.most));
         match (self.is_open, self.most) {
             _ if !self.words.is_empty() => self.words.to_owned(),
             _ if self == ANY => "must be a finite number".to_owned(),
@@ -100,24 +100,20 @@ pub(super) fn radius_in(
         return Ok(radius);
     }
     let allowed = match walls {
-        true => format!("must be above 0 and below half the side of the box, {} m", Num(largest)),
+        true => {
+            format!("must be above 0 and below half the side of the box, {} m", shortest(largest))
+        }
         false => "must be a finite number above 0".to_owned(),
     };
     let metres = radius / 1000.0;
     let way_out = if radius > 0.0 && field == "radius" && side < 0.01 {
-        format!("--radius {}, or a larger --side", Num(round_down(0.01 * side)))
+        format!("--radius {}, or a larger --side", shortest(rounded_down(0.01 * side, 1)))
     } else if radius >= 0.01 && metres < 0.1 * side {
-        format!("lengths are in metres: {radius} mm is {} m, or write {radius}mm", Num(metres))
+        format!("lengths are in metres: {radius} mm is {} m, or write {radius}mm", shortest(metres))
     } else if field == "radius" {
-        format!("--radius {}", Num(round_down(0.0025 * side)))
+        format!("--radius {}", shortest(rounded_down(0.0025 * side, 1)))
     } else {
         "a radius between these".to_owned()
     };
-    Err(ScenarioError::out_of_range(field, Num(radius), allowed, way_out))
-}
-
-/// `value` cut to one digit.
-fn round_down(value: f64) -> f64 {
-    let digit = 10f64.powi(value.log10().floor() as i32);
-    format!("{:.0e}", (value / digit + 1e-9).floor() * digit).parse().unwrap_or(value)
+    Err(ScenarioError::out_of_range(field, shortest(radius), allowed, way_out))
 }

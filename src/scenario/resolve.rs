@@ -1,12 +1,11 @@
 //! From what was said to a checked scenario.
 
 use super::error::ScenarioError;
-use super::exclusive;
 use super::framed::FramedDiscs;
-use super::number::Num;
 use super::quantity::Quantity;
 use super::settings::{DtSetting, Settings};
 use super::{DampingChoice, DtSetBy, Scenario, StepChoice};
+use crate::number::{shortest, time_step};
 
 impl Scenario {
     /// Fills in what `settings` leave open from the preset and checks everything that can be
@@ -24,7 +23,7 @@ impl Scenario {
         draw_seed: impl FnOnce() -> u64,
         frame: Option<FramedDiscs>,
     ) -> Result<Self, ScenarioError> {
-        exclusive::check(settings)?;
+        settings.check_exclusive()?;
         settings.check()?;
         let usual = settings.preset.unwrap_or_default().values();
         let seed = settings.seed.map_or_else(draw_seed, |seed| seed as u64);
@@ -46,20 +45,15 @@ impl Scenario {
     /// all was asked for.
     pub(super) fn check_clock(&self) -> Result<(), ScenarioError> {
         let (dt, time) = (self.dt(), self.time);
-        if time / dt >= 1e15 {
-            let allowed = format!("at most 1e15 steps of dt = {dt:e} s");
-            return Err(ScenarioError::out_of_range(
-                "time",
-                Num(time),
-                allowed,
-                "a shorter --time",
-            ));
-        }
-        if time > 0.0 && self.steps() == 0 {
-            let allowed = format!("at least one step of dt = {dt:e} s");
-            return Err(ScenarioError::out_of_range("time", Num(time), allowed, "a longer --time"));
-        }
-        Ok(())
+        let (allowed, way_out) = if time / dt >= 1e15 {
+            ("at most 1e15 steps", "a shorter --time")
+        } else if time > 0.0 && self.steps() == 0 {
+            ("at least one step", "a longer --time")
+        } else {
+            return Ok(());
+        };
+        let allowed = format!("{allowed} of dt = {}", time_step(dt));
+        Err(ScenarioError::out_of_range("time", shortest(time), allowed, way_out))
     }
 }
 

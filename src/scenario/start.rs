@@ -6,11 +6,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::error::ScenarioError;
-use super::number::Num;
 use super::quantity::{Length, Quantity};
 use super::range::ABOVE_0;
 use super::settings::Settings;
 use super::{DiscSource, Scenario};
+use crate::number::shortest;
 use crate::output::frames::layout::Layout;
 use crate::output::frames::{Frame, FrameRow, Reading, Told, read_frame_as};
 use crate::particle::Particle;
@@ -128,13 +128,13 @@ fn check(frame: &Frame) -> Result<(), String> {
 fn unused(path: &str, frame: &Frame, settings: &Settings) -> Option<String> {
     let mass = settings.mass.filter(|_| frame.has_masses())?.si;
     let differs = frame.rows.iter().any(|row| row.mass != Some(mass));
-    let mass = Num(mass);
+    let mass = shortest(mass);
     differs.then(|| format!("{path} has the mass of each disc: mass = {mass} kg is not used"))
 }
 
 /// That all discs have the radius of the scenario.
 fn without_radii(path: &str, frame: &Frame, scenario: &Scenario) -> Option<String> {
-    let radius = Num(scenario.radius);
+    let radius = shortest(scenario.radius);
     (!frame.has_radii())
         .then(|| format!("{path} holds no radii: each disc has {radius} m (--radius)"))
 }
@@ -145,11 +145,11 @@ fn missing(path: &str, frame: &Frame, scenario: &Scenario) -> Option<String> {
     let motion = match scenario.speed > 0.0 {
         true => format!(
             "all discs are thrown with an rms speed of {} m/s (--speed)",
-            Num(scenario.speed)
+            shortest(scenario.speed)
         ),
         false => "all discs start at rest".to_owned(),
     };
-    let mass = Num(scenario.mass);
+    let mass = shortest(scenario.mass);
     let (what, taken) = match (has_velocities, has_masses) {
         (true, true) => return None,
         (true, false) => ("no masses", format!("each disc has {mass} kg (--mass)")),

@@ -20,6 +20,7 @@ use super::{DampingChoice, DiscSource, Scenario, StepChoice};
 use crate::analysis::collision::angular_frequency;
 use crate::analysis::drift::{Course, DOUBLED};
 use crate::analysis::twin::next_up;
+use crate::named::named;
 use crate::particle::Particle;
 use crate::simulation::Simulation;
 
@@ -42,30 +43,22 @@ const TIMES: [f64; 2] = [0.5, 0.2];
 /// Simulated time of the twins, s: enough for twenty discs to part.
 const TWIN_TIME: f64 = 2.0;
 
-/// What is run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Case {
-    /// One disc meets a wall.
-    Wall,
-    /// Two discs meet.
-    Pair,
-    /// The guide's box.
-    Box,
-    /// A crowded box.
-    Dense,
+named! {
+    /// What is run.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Case, name {
+        /// One disc meets a wall.
+        Wall = "wall",
+        /// Two discs meet.
+        Pair = "pair",
+        /// The guide's box.
+        Box = "box",
+        /// A crowded box.
+        Dense = "dense",
+    }
 }
 
 impl Case {
-    /// Its name in `drift.csv`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Wall => "wall",
-            Self::Pair => "pair",
-            Self::Box => "box",
-            Self::Dense => "dense",
-        }
-    }
-
     /// Whether it is one contact, not a box of many.
     pub fn is_one_contact(self) -> bool {
         matches!(self, Self::Wall | Self::Pair)
@@ -114,9 +107,12 @@ impl StudyRun {
 /// The guide's box and the dense box, placed and checked.
 #[derive(Clone, Debug)]
 pub struct Study {
-    boxes: [Scenario; 2],
-    restitution: f64,
-    nt: Vec<f64>,
+    /// The guide's box and the dense box.
+    pub boxes: [Scenario; 2],
+    /// Restitution of the damped runs.
+    pub restitution: f64,
+    /// N_t, ascending.
+    pub nt: Vec<f64>,
 }
 
 impl Study {
@@ -145,21 +141,6 @@ impl Study {
         }
         let boxes = boxes.try_into().expect("two boxes");
         Ok(Self { boxes, restitution, nt })
-    }
-
-    /// N_t, ascending.
-    pub fn nt(&self) -> &[f64] {
-        &self.nt
-    }
-
-    /// Restitution of the damped runs.
-    pub fn restitution(&self) -> f64 {
-        self.restitution
-    }
-
-    /// The guide's box and the dense box.
-    pub fn boxes(&self) -> &[Scenario; 2] {
-        &self.boxes
     }
 
     /// All runs, in the order of the table.

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use super::gravity::Gravity;
-use super::number::Num;
 use super::preset::Preset;
 use super::{DampingChoice, DiscSource, Population, Scenario, StepChoice};
+use crate::number::shortest;
 use crate::particle::Particle;
 
 /// What is said behind `--nt N` where the step was set by `--dt`.
@@ -40,29 +40,32 @@ impl Scenario {
         // A damping is put back to the calm one, whatever the preset.
         let calm = Preset::Guide.values().damping;
         let (calm_flag, calm_value) = calm.flag_and_value();
-        let number = |name: &str, value: f64, usual: f64, mended: Self| Suspect {
+        let suspect = |name: &str, value: String, usual: String, mended: Self| Suspect {
             name: name.to_owned(),
-            value: Num(value).to_string(),
-            usual: format!("{name} {}", Num(usual)),
+            value,
+            usual,
             mended,
         };
+        let number = |name: &str, value: f64, usual: f64, mended: Self| {
+            suspect(name, shortest(value), format!("{name} {}", shortest(usual)), mended)
+        };
         vec![
-            Suspect {
-                name: damping_flag.to_owned(),
-                value: Num(damping).to_string(),
-                usual: format!("{calm_flag} {calm_value:e}"),
-                mended: Self { damping: calm, ..self.clone() },
-            },
+            suspect(
+                damping_flag,
+                shortest(damping),
+                format!("{calm_flag} {}", shortest(calm_value)),
+                Self { damping: calm, ..self.clone() },
+            ),
             number("--kn", self.stiffness, usual.stiffness, {
                 Self { stiffness: usual.stiffness, ..self.clone() }
             }),
             number("--mass", self.mass, usual.mass, Self { mass: usual.mass, ..self.clone() }),
-            Suspect {
-                name: "--gravity".to_owned(),
-                value: self.gravity.said(),
-                usual: format!("--gravity {}", Num(usual.gravity)),
-                mended: Self { gravity: Gravity::down(usual.gravity), ..self.clone() },
-            },
+            suspect(
+                "--gravity",
+                self.gravity.said(),
+                format!("--gravity {}", shortest(usual.gravity)),
+                Self { gravity: Gravity::down(usual.gravity), ..self.clone() },
+            ),
             number("--speed", self.speed, 0.0, Self { speed: 0.0, ..self.clone() }),
             number("--radius", self.radius, usual.radius, {
                 Self { radius: usual.radius, ..self.clone() }
@@ -133,8 +136,8 @@ impl Scenario {
             });
             suspects.push(Suspect {
                 name: format!("disc {k}: {key}"),
-                value: Num(value).to_string(),
-                usual: format!("{key} = {} for disc {k}", Num(common)),
+                value: shortest(value),
+                usual: format!("{key} = {} for disc {k}", shortest(common)),
                 mended,
             });
         }
@@ -142,7 +145,7 @@ impl Scenario {
             let v = listed[k].velocity;
             suspects.push(Suspect {
                 name: format!("disc {k}: velocity"),
-                value: format!("[{}, {}]", Num(v.x), Num(v.y)),
+                value: format!("[{}, {}]", shortest(v.x), shortest(v.y)),
                 usual: format!("a slower disc {k}"),
                 mended: with(&|_, disc| {
                     if disc.velocity.length() >= 0.5 * v.length() {
@@ -163,8 +166,8 @@ impl Scenario {
                 all[k] = mended;
                 suspects.push(Suspect {
                     name: format!("population {k}: {key}"),
-                    value: Num(value).to_string(),
-                    usual: format!("{key} = {} for population {k}", Num(usual)),
+                    value: shortest(value),
+                    usual: format!("{key} = {} for population {k}", shortest(usual)),
                     mended: self.with_discs(DiscSource::Listed(listed.to_vec(), all)),
                 });
             };
@@ -188,7 +191,7 @@ impl Scenario {
         let (usual_flag, usual_value) = usual.flag_and_value();
         Suspect {
             name: name.to_owned(),
-            value: Num(value).to_string(),
+            value: shortest(value),
             usual: self.in_place_of_dt(format!("{usual_flag} {usual_value}")),
             mended: self.with_step(usual),
         }

@@ -119,6 +119,8 @@ impl Source {
                         source.names.push((name, path));
                     }
                 }
+                // Who may see it is no import.
+                "in" if is_public => while words.next_if(|word| word != ")").is_some() {},
                 "::" | "." => {
                     // Of `a::b` only `a` begins a path; what follows a turbofish or a type does not.
                     while words.next_if(|word| word == "::" || is_name(word)).is_some() {}
@@ -135,7 +137,7 @@ impl Source {
                 _ => {}
             }
             is_public = matches!(word.as_str(), "pub")
-                || is_public && matches!(word.as_str(), "(" | ")" | "crate" | "super");
+                || is_public && matches!(word.as_str(), "(" | ")" | "in" | "crate" | "super");
         }
         source
     }
@@ -287,6 +289,7 @@ mod tests {
                 "// use crate::a;\nconst A: &str = \"crate::a\"; const B: char = '\"'; fn f<'a>() {}",
                 vec![],
             ),
+            ("pub(in crate::a) use super::a::c::X; pub(in crate::a) fn f() {}", vec!["a::c"]),
             ("use std::fs;\n#[cfg(test)]\nmod tests { use crate::a; }", vec![]),
         ] {
             assert_eq!(files_imported_by(text), expected, "{text}");

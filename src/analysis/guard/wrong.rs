@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::memory::Memory;
 use crate::analysis::energy::MechanicalEnergy;
+use crate::named::named;
 use crate::neighbours::Neighbours;
 use crate::particle::{Contact, Particle};
 use crate::simulation::Simulation;
@@ -25,37 +26,25 @@ pub const GROWTH: f64 = 1.0;
 /// Sums of energies are trusted to this fraction.
 const ROUNDING: f64 = 1e-9;
 
-/// In what way a run has gone wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wrong {
-    /// A number is infinite or none at all.
-    NotFinite,
-    /// The centres of two discs have met: [`CROSSED`].
-    Crossed,
-    /// A disc overlaps a wall by more than [`BEYOND`] radii.
-    BeyondWall,
-    /// The energy has grown by more than [`GROWTH`].
-    EnergyGrown,
+named! {
+    /// In what way a run has gone wrong.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Wrong, name {
+        /// A number is infinite or none at all.
+        NotFinite = "not-finite",
+        /// The centres of two discs have met: [`CROSSED`].
+        Crossed = "crossed",
+        /// A disc overlaps a wall by more than [`BEYOND`] radii.
+        BeyondWall = "beyond-wall",
+        /// The energy has grown by more than [`GROWTH`].
+        EnergyGrown = "energy-grown",
+    }
 }
 
 /// Ids of the discs in question, the wall, and the deepest overlap over the (smaller) radius.
 type Whom = (Vec<usize>, Option<&'static str>, f64);
 
 impl Wrong {
-    /// All of them, in the order in which they are looked for.
-    pub const ALL: [Self; 4] =
-        [Self::NotFinite, Self::Crossed, Self::BeyondWall, Self::EnergyGrown];
-
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NotFinite => "not-finite",
-            Self::Crossed => "crossed",
-            Self::BeyondWall => "beyond-wall",
-            Self::EnergyGrown => "energy-grown",
-        }
-    }
-
     /// Whether a run has gone wrong in this way.
     pub(super) fn is_so(self, look: &Look) -> bool {
         match self {

@@ -10,19 +10,6 @@ use crate::scenario::study::{Case, Study, StudyRun, nearest};
 /// A run and what it gave.
 pub(super) type Outcome<'a> = (&'a StudyRun, &'a Course);
 
-/// A relative number in percent, three digits.
-pub(super) fn percent(value: f64) -> String {
-    let value = 100.0 * value;
-    match value.abs() {
-        0.0 => "0 %".to_owned(),
-        x if x >= 100.0 => format!("{value:.0} %"),
-        x if x >= 10.0 => format!("{value:.1} %"),
-        x if x >= 1.0 => format!("{value:.2} %"),
-        x if x >= 0.01 => format!("{value:.3} %"),
-        _ => format!("{value:.1e} %"),
-    }
-}
-
 /// The key numbers. Errors are relative to the energy at the start; N_t counts steps in a wall
 /// contact.
 #[derive(Debug, Serialize)]
@@ -111,7 +98,7 @@ pub(super) struct Damped {
 
 impl Findings {
     pub fn of(study: &Study, outcomes: &[Outcome]) -> Result<Self, ScenarioError> {
-        let nt = nearest(study.nt(), 50.0);
+        let nt = nearest(&study.nt, 50.0);
         let eq_3 = |case: Case, restitution: f64| {
             let this = |(run, _): &&Outcome| {
                 (run.case, run.nt, run.restitution) == (case, nt, restitution)
@@ -119,9 +106,9 @@ impl Findings {
             };
             outcomes.iter().find(this).expect("the study has Eq. (3) at every N_t").1
         };
-        let (elastic, damped) = (eq_3(Case::Box, 1.0), eq_3(Case::Dense, study.restitution()));
+        let (elastic, damped) = (eq_3(Case::Box, 1.0), eq_3(Case::Dense, study.restitution));
         let fall = study.saw_tooth(nt)?;
-        let [guide, dense] = study.boxes();
+        let [guide, dense] = &study.boxes;
         let fall_time = (2.0 * dense.side / dense.gravity.size()).sqrt();
         let residue = |(_, course): &Outcome| (course.work_error / course.energy_at_start).abs();
         Ok(Self {
@@ -141,7 +128,7 @@ impl Findings {
                 formula_J: fall.formula,
             },
             damped: Damped {
-                restitution: study.restitution(),
+                restitution: study.restitution,
                 taken: damped.dissipated / damped.energy_at_start,
                 final_error: damped.final_error,
             },

@@ -3,9 +3,9 @@
 
 use std::io::{self, Write};
 
-use super::findings::{Outcome, blocks, orders, percent};
+use super::findings::{Outcome, blocks, orders};
 use crate::analysis::drift::Course;
-use crate::output::number::counted;
+use crate::number::{counted, percent, shortest};
 use crate::scenario::study::{Case, Study, StudyRun};
 
 pub(super) fn write(out: &mut impl Write, study: &Study, outcomes: &[Outcome]) -> io::Result<()> {
@@ -21,14 +21,14 @@ pub(super) fn write(out: &mut impl Write, study: &Study, outcomes: &[Outcome]) -
         write_contact(out, block)?;
     }
     for case in [Case::Box, Case::Dense] {
-        let scenario = &study.boxes()[usize::from(case == Case::Dense)];
+        let scenario = &study.boxes[usize::from(case == Case::Dense)];
         let discs = counted(scenario.n(), "disc");
-        let (radius, time) = (scenario.radius, scenario.time);
+        let (radius, time) = (shortest(scenario.radius), scenario.time);
         let title = if case == Case::Box { "The guide's box" } else { "A dense box" };
-        writeln!(out, "\n{title}: {discs} of {radius:e} m, {time} s; largest, then at the end")?;
-        heading(out, study.nt().iter().copied(), "")?;
+        writeln!(out, "\n{title}: {discs} of {radius} m, {time} s; largest, then at the end")?;
+        heading(out, study.nt.iter().copied(), "")?;
         for block in boxes.iter().filter(|block| block[0].0.case == case) {
-            write_box(out, study.nt(), block)?;
+            write_box(out, &study.nt, block)?;
         }
     }
     writeln!(out)

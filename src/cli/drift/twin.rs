@@ -7,11 +7,12 @@ use serde::Serialize;
 
 use super::super::memory;
 use super::super::terminal::progress_bar;
-use super::{DriftArguments, words};
+use super::arguments::DriftArguments;
+use super::words;
 use crate::analysis::twin::{Growth, SEPARATE, distances, separation_time};
-use crate::cli::Failure;
+use crate::cli::failure::Failure;
+use crate::number::{counted, shortest, time_step};
 use crate::output::drift::{self as files, TwinRow};
-use crate::output::number::counted;
 use crate::scenario::Scenario;
 use crate::scenario::study::{twin_box, twins};
 
@@ -149,8 +150,9 @@ fn write_table(
     scenario: &Scenario,
     distances: &[Vec<(f64, f64)>],
 ) -> io::Result<()> {
-    let (discs, radius, dt) = (counted(scenario.n(), "disc"), scenario.radius, scenario.dt());
-    writeln!(out, "Distance between two runs of {discs} of {radius:e} m, dt = {dt:.4e} s\n")?;
+    let (discs, radius, dt) =
+        (counted(scenario.n(), "disc"), shortest(scenario.radius), time_step(scenario.dt()));
+    writeln!(out, "Distance between two runs of {discs} of {radius} m, dt = {dt}\n")?;
     writeln!(out, "{:>10} {:>16} {:>16}", "time s", "x moved: m", "dt longer: m")?;
     let every = distances[0].len().div_ceil(PRINTED).max(1);
     for (moved, longer) in distances[0].iter().zip(&distances[1]).step_by(every) {

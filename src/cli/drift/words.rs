@@ -4,7 +4,8 @@
 use std::io::{self, Write};
 
 use super::super::wrapped::wrapped;
-use super::findings::{Contact, Findings, Heating, percent};
+use super::findings::{Contact, Findings, Heating};
+use crate::number::{energy, percent};
 use crate::scenario::settings::IntegratorName::{ExplicitEuler, SymplecticEuler, VelocityVerlet};
 use crate::scenario::study::Case;
 
@@ -168,10 +169,10 @@ fn saw_tooth(findings: &Findings) -> String {
     let fall = &findings.saw_tooth;
     let agrees = (fall.measured_J / fall.formula_J - 1.0).abs() < 1e-3;
     format!(
-        "In free fall Eq. (3) shows {:.4e} J at {:.3} m/s; -m g v dt/2 is {:.4e} J. {}",
-        fall.measured_J,
+        "In free fall Eq. (3) shows {} at {:.3} m/s; -m g v dt/2 is {}. {}",
+        energy(fall.measured_J),
         fall.speed_m_per_s,
-        fall.formula_J,
+        energy(fall.formula_J),
         if agrees {
             "The new velocity moves the disc, so that K and height belong to times half a step \
              apart. It follows the speed and comes back with it: a saw-tooth, not a loss."

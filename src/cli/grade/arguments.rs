@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::grading::feedback::folder::Format;
 
@@ -69,7 +69,7 @@ pub(in crate::cli) struct SheetArguments {
     pub json: bool,
     /// How results are written; more than one with --out-dir
     #[arg(long, value_name = "FORMAT", conflicts_with = "json")]
-    pub format: Vec<Named>,
+    pub format: Vec<Format>,
     /// With a small picture of each failure, as SVG in the JSON
     #[arg(long)]
     pub pictures: bool,
@@ -89,54 +89,12 @@ impl SheetArguments {
     /// The formats asked for, each once; none if none was named.
     pub fn formats(&self) -> Vec<Format> {
         let mut formats = if self.json { vec![Format::Json] } else { Vec::new() };
-        for named in &self.format {
-            if !formats.contains(&named.format()) {
-                formats.push(named.format());
+        for format in &self.format {
+            if !formats.contains(format) {
+                formats.push(*format);
             }
         }
         formats
-    }
-}
-
-/// A format by its name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(in crate::cli) enum Named {
-    /// For a terminal
-    Text,
-    /// Our own, with stable ids
-    Json,
-    /// A page for a student, or of the class if there are more
-    Html,
-    /// A table of the class
-    Csv,
-    /// Gradescope's results.json
-    Gradescope,
-    /// Classroom 50's result.json
-    Classroom50,
-    /// JUnit XML: GitLab, GitHub, Jenkins, CodeGrade
-    Junit,
-    /// What Moodle's VPL reads
-    Vpl,
-    /// JSON in the manner of check50
-    Check50,
-    /// What CodeGrade reads from file descriptor 3
-    Codegrade,
-}
-
-impl Named {
-    fn format(self) -> Format {
-        match self {
-            Self::Text => Format::Text,
-            Self::Json => Format::Json,
-            Self::Html => Format::Html,
-            Self::Csv => Format::Csv,
-            Self::Gradescope => Format::Gradescope,
-            Self::Classroom50 => Format::Classroom50,
-            Self::Junit => Format::Junit,
-            Self::Vpl => Format::Vpl,
-            Self::Check50 => Format::Check50,
-            Self::Codegrade => Format::Codegrade,
-        }
     }
 }
 

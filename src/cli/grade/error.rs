@@ -71,12 +71,12 @@ pub(in crate::cli) enum GradeError {
     Scale { key: &'static str, value: String },
 }
 
-fn checks() -> Vec<String> {
-    Check::ALL.into_iter().map(|check| check.id().to_owned()).collect()
+fn checks() -> [&'static str; Check::ALL.len()] {
+    Check::ALL.map(Check::id)
 }
 
-fn causes() -> Vec<String> {
-    Mistake::ALL.into_iter().map(Mistake::id).collect()
+fn causes() -> [&'static str; Mistake::ALL.len()] {
+    Mistake::ALL.map(Mistake::id)
 }
 
 /// The first of some names.
@@ -90,7 +90,7 @@ fn listed(names: &[String]) -> String {
 /// A name that was perhaps meant by `id`.
 fn like(id: &str) -> String {
     let names = checks().into_iter().chain(causes());
-    let near = names.map(|name| (strsim::jaro_winkler(id, &name), name));
+    let near = names.map(|name| (strsim::jaro_winkler(id, name), name));
     let best = near.filter(|(likeness, _)| *likeness > 0.8).max_by(|a, b| a.0.total_cmp(&b.0));
     best.map_or_else(String::new, |(_, name)| format!("; did you mean `{name}`?"))
 }

@@ -3,13 +3,13 @@
 use std::io::Write;
 
 use super::error::GradeError;
-use crate::cli::Failure;
-use crate::grading::feedback::number::points;
+use crate::cli::failure::Failure;
 use crate::grading::feedback::plain::one_line;
 use crate::grading::judge::check::Check;
 use crate::grading::judge::mistake::Mistake;
 use crate::grading::judge::rubric::Rubric;
 use crate::grading::judge::words::ENGLISH;
+use crate::number::decimals;
 
 pub(super) fn explain(out: &mut impl Write, id: &str, rubric: &Rubric) -> Result<(), Failure> {
     match (Check::named(id), Mistake::named(id)) {
@@ -28,7 +28,7 @@ fn explain_check(out: &mut impl Write, check: Check, rubric: &Rubric) -> std::io
         "{}: {} ({} {})",
         check.id(),
         said.title,
-        points(worth),
+        decimals(worth, 2),
         ENGLISH.points_of(worth)
     )?;
     writeln!(out, "{}", said.explained)?;
@@ -40,5 +40,5 @@ fn explain_cause(out: &mut impl Write, cause: Mistake, rubric: &Rubric) -> std::
     let hint = rubric.hints.get(&cause).map_or(said.hint, String::as_str);
     writeln!(out, "{}: {} {}", cause.id(), ENGLISH.looks_like, said.looks_like)?;
     writeln!(out, "{}: {}", ENGLISH.hint, one_line(hint))?;
-    writeln!(out, "{}: {} %", ENGLISH.part_left, points(100.0 * rubric.part_left(Some(cause))))
+    writeln!(out, "{}: {} %", ENGLISH.part_left, decimals(100.0 * rubric.part_left(Some(cause)), 2))
 }

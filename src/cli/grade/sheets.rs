@@ -8,15 +8,15 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::arguments::SheetArguments;
 use super::error::GradeError;
-use crate::cli::Failure;
+use crate::cli::failure::Failure;
 use crate::grading::feedback::classroom50::{Classroom, utc};
 use crate::grading::feedback::folder::{Around, Folder, Format, write_whole};
 use crate::grading::feedback::json::json_of_student;
-use crate::grading::feedback::number::percent;
 use crate::grading::feedback::plain::{file_names, one_line, short_names};
 use crate::grading::feedback::text::{causes, text_of_class, text_of_student};
 use crate::grading::feedback::words::ENGLISH;
 use crate::grading::feedback::{Entry, Graded, name_of};
+use crate::number::cut;
 use crate::output::OutputError;
 use crate::output::place::is_same;
 
@@ -157,7 +157,7 @@ fn line(entry: &Entry) -> String {
     let name = one_line(name_of(entry));
     match entry {
         Ok(graded) => {
-            let part = percent(graded.report.percent());
+            let part = cut(graded.report.percent());
             format!("{name}: {part} %  {}", causes(graded).join(", ")).trim_end().to_owned()
         }
         Err(ungraded) => format!("{name} {}", one_line(&ungraded.why)),

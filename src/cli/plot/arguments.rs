@@ -3,8 +3,9 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 
+use crate::figure::frame::ColourBy;
 use crate::figure::history;
 use crate::output::frames::layout::Layout;
 use crate::scenario::Scenario;
@@ -47,7 +48,7 @@ pub enum Kind {
     /// The energy ledger and its errors; several ledgers are compared
     Energy(EnergyArguments),
     /// The velocity field of a frame
-    Velocity(VelocityArguments),
+    Velocity(OneFrame),
     /// The contact forces of a frame, from its overlaps and velocities
     Forces(ForcesArguments),
     /// Histogram of speeds beside Maxwell's distribution in two dimensions
@@ -67,9 +68,10 @@ pub struct ReadingArguments {
     pub columns: Option<Layout>,
 }
 
+/// A frame of a file, and where its picture goes.
 #[derive(Args)]
-pub struct FrameArguments {
-    /// A file of frames: out.txt, trajectory.txt
+pub struct OneFrame {
+    /// A file of frames: trajectory.txt has velocities, out.txt has none
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -77,25 +79,21 @@ pub struct FrameArguments {
     /// Which frame, from 0 [default: the last]
     #[arg(long, value_name = "K")]
     pub frame: Option<usize>,
-    /// What the discs' colours say [default: speed, where the file has velocities]
-    #[arg(long, value_enum, value_name = "WHAT", alias = "color")]
-    pub colour: Option<ColourName>,
-    /// Draw arrows along the velocities, the longest 5 % of the box
-    #[arg(long)]
-    pub vectors: bool,
-    /// The picture; the script beside it has its name [default: frame.svg]
+    /// The picture; the script beside it has its name [default: the kind's name.svg]
     #[arg(short, long, value_name = "FILE.svg")]
     pub out: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ColourName {
-    /// Speed
-    Speed,
-    /// Radius
-    Radius,
-    /// One colour for all
-    None,
+#[derive(Args)]
+pub struct FrameArguments {
+    #[command(flatten)]
+    pub of: OneFrame,
+    /// What the discs' colours say [default: speed, where the file has velocities]
+    #[arg(long, value_enum, value_name = "WHAT", alias = "color")]
+    pub colour: Option<ColourBy>,
+    /// Draw arrows along the velocities, the longest 5 % of the box
+    #[arg(long)]
+    pub vectors: bool,
 }
 
 #[derive(Args)]
@@ -147,39 +145,15 @@ pub struct EnergyArguments {
 }
 
 #[derive(Args)]
-pub struct VelocityArguments {
-    /// A file of frames with velocities: trajectory.txt
-    #[arg(value_name = "FILE", required = true)]
-    pub files: Vec<PathBuf>,
-    #[command(flatten)]
-    pub reading: ReadingArguments,
-    /// Which frame, from 0 [default: the last]
-    #[arg(long, value_name = "K")]
-    pub frame: Option<usize>,
-    /// The picture; the script beside it has its name [default: velocity.svg]
-    #[arg(short, long, value_name = "FILE.svg")]
-    pub out: Option<PathBuf>,
-}
-
-#[derive(Args)]
 pub struct SpeedsArguments {
-    /// A file of frames with velocities: trajectory.txt
-    #[arg(value_name = "FILE", required = true)]
-    pub files: Vec<PathBuf>,
     #[command(flatten)]
-    pub reading: ReadingArguments,
-    /// Which frame, from 0 [default: the last]
-    #[arg(long, value_name = "K")]
-    pub frame: Option<usize>,
+    pub of: OneFrame,
     /// Count the speeds of all frames
     #[arg(long, conflicts_with = "frame")]
     pub pool: bool,
     /// Pool frames 0 to K only [default: all]
     #[arg(long, value_name = "K", requires = "pool")]
     pub until: Option<usize>,
-    /// The picture; the script beside it has its name [default: speeds.svg]
-    #[arg(short, long, value_name = "FILE.svg")]
-    pub out: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -189,7 +163,7 @@ pub struct HistoryArguments {
     pub file: PathBuf,
     /// What is drawn, a panel each: velocities need trajectory.txt [default: y]
     #[arg(value_enum, value_name = "WHAT")]
-    pub quantities: Vec<QuantityName>,
+    pub quantities: Vec<history::Quantity>,
     /// Which disc, from 0, or several: 0,3,4 [default: all of up to 8, else 0]
     #[arg(long, value_name = "K", value_delimiter = ',')]
     pub disc: Vec<usize>,
@@ -203,44 +177,11 @@ pub struct HistoryArguments {
     pub out: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum QuantityName {
-    /// From the left wall
-    X,
-    /// Above the floor
-    Y,
-    /// Velocity to the right
-    Vx,
-    /// Velocity upward
-    Vy,
-    /// Size of the velocity
-    Speed,
-}
-
-impl QuantityName {
-    /// What is drawn.
-    pub fn quantity(self) -> history::Quantity {
-        match self {
-            Self::X => history::Quantity::X,
-            Self::Y => history::Quantity::Y,
-            Self::Vx => history::Quantity::Vx,
-            Self::Vy => history::Quantity::Vy,
-            Self::Speed => history::Quantity::Speed,
-        }
-    }
-}
-
 /// The contact law is the run's: the same flags, the same defaults.
 #[derive(Args)]
 pub struct ForcesArguments {
-    /// A file of frames: trajectory.txt
-    #[arg(value_name = "FILE", required = true)]
-    pub files: Vec<PathBuf>,
     #[command(flatten)]
-    pub reading: ReadingArguments,
-    /// Which frame, from 0 [default: the last]
-    #[arg(long, value_name = "K")]
-    pub frame: Option<usize>,
+    pub of: OneFrame,
     /// The run's set of parameters [default: that of last-run.toml beside the file, or guide]
     #[arg(long, value_enum, value_name = "P", help_heading = "The run's contact law")]
     pub preset: Option<Preset>,
@@ -270,9 +211,6 @@ pub struct ForcesArguments {
     /// No walls
     #[arg(long, help_heading = "The run's contact law")]
     pub no_walls: bool,
-    /// The picture; the script beside it has its name [default: forces.svg]
-    #[arg(short, long, value_name = "FILE.svg")]
-    pub out: Option<PathBuf>,
 }
 
 impl ForcesArguments {

@@ -5,13 +5,17 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use super::error::PlotError;
+use super::error::{bad_file, too_many, unreadable};
 use super::progress::Progress;
-use crate::cli::Failure;
+use crate::analysis::energy::LedgerRow;
+use crate::cli::failure::Failure;
 use crate::cli::file_kind::FileKind;
+use crate::cli::refusal::Refusal;
 use crate::cli::say::say;
 use crate::cli::typed::quoted;
-use crate::figure::gnuplot;
+use crate::echo;
+use crate::figure::{energy, gnuplot};
+use crate::number::counted;
 use crate::output::frames::layout::Layout;
 use crate::output::frames::{Frame, Frames, Reading};
 use crate::output::place::{plain_file, plain_text};
@@ -19,13 +23,10 @@ use crate::output::record;
 use crate::scenario::file;
 
 /// The one file of a picture that shows one.
-pub(super) fn one_file<'a>(
-    kind: &'static str,
-    files: &'a [PathBuf],
-) -> Result<&'a Path, PlotError> {
+pub(super) fn one_file<'a>(kind: &'static str, files: &'a [PathBuf]) -> Result<&'a Path, Refusal> {
     match files {
         [file] => Ok(file),
-        _ => Err(PlotError::TooMany { kind, n: files.len() }),
+        _ => Err(too_many(kind, files.len())),
     }
 }
 
@@ -34,19 +35,17 @@ pub(super) fn remark(text: &str) {
     say("note", text);
 }
 
-fn open(path: &Path, command: &'static str) -> Result<File, PlotError> {
+fn open(path: &Path, command: &str) -> Result<File, Refusal> {
     // A picture goes through its file more than once, and its script once more.
-    plain_file(path).map_err(|source| PlotError::Unreadable {
-        path: path.to_owned(),
-        source,
-        command,
-    })
+    plain_file(path).map_err(|source| unreadable(path, &source, command))
 }
 
 /// What to do with a file that is not what was wanted.
 fn advice(path: &Path) -> Option<String> {
     FileKind::of(path).map(|kind| format!("this is {}: {}", kind.name(), kind.picture(path)))
 }
+
+const REPEAT: &str = "repeat the run that wrote it";
 
 /// Reads a csv file for a picture of this `kind`.
 pub(super) fn read_table<T>(
@@ -57,15 +56,10 @@ pub(super) fn read_table<T>(
     let command = if kind == "drift" { "parsim2d drift" } else { "parsim2d" };
     let rows = read(BufReader::new(open(path, command)?)).map_err(|why| {
         let advice = advice(path).filter(|_| why.starts_with("its columns"));
-        PlotError::bad_file(
-            path,
-            &why,
-            &advice.unwrap_or("repeat the run that wrote it".to_owned()),
-        )
+        bad_file(path, &why, advice.as_deref().unwrap_or(REPEAT))
     })?;
     if rows.is_empty() {
-        let why = "it holds no rows";
-        return Err(PlotError::bad_file(path, why, "repeat the run that wrote it").into());
+        return Err(bad_file(path, "it holds no rows", REPEAT).into());
     }
     Ok(rows)
 }
@@ -141,15 +135,15 @@ impl FrameFile {
         )
     }
 
-    fn frames(&self) -> Result<Frames<BufReader<File>>, PlotError> {
+    fn frames(&self) -> Result<Frames<BufReader<File>>, Refusal> {
         let file = open(&self.path, "parsim2d")?;
         Ok(Frames::read_as(BufReader::with_capacity(1 << 16, file), &self.reading))
     }
 
     /// What is wrong with the file after `whole` good frames; `flag` names the last of these.
-    fn bad(&self, why: &str, whole: usize, flag: &str) -> PlotError {
+    fn bad(&self, why: &str, whole: usize, flag: &str) -> Refusal {
         if let Some((why, way_out)) = why.split_once("\n  way out: ") {
-            return PlotError::bad_file(&self.path, why, way_out);
+            return bad_file(&self.path, why, way_out);
         }
         let way_out = match (whole, advice(&self.path)) {
             (0, Some(advice)) if FileKind::of(&self.path) != Some(FileKind::Frames) => advice,
@@ -158,7 +152,7 @@ impl FrameFile {
                 .to_owned(),
             (_, _) => format!("frames 0 to {} are whole: {flag} {}", whole - 1, whole - 1),
         };
-        PlotError::bad_file(&self.path, why, &way_out)
+        bad_file(&self.path, why, &way_out)
     }
 
     /// How many frames are whole, at least one, and what is wrong with the one after them.
@@ -197,7 +191,7 @@ impl FrameFile {
             (Some(k), Some(last)) if last.0 == k => Ok(last),
             (Some(k), Some((last, _))) => {
                 let why = format!("frame {k} was asked for; it holds frames 0 to {last}");
-                Err(PlotError::bad_file(&self.path, &why, &format!("--frame {last}")).into())
+                Err(bad_file(&self.path, &why, &format!("--frame {last}")).into())
             }
             (_, None) => Err(self.bad("it holds no frame", 0, "").into()),
         }
@@ -222,9 +216,29 @@ impl FrameFile {
             (0, _) => Err(self.bad("it holds no frame", 0, "").into()),
             (_, Some(last)) if seen <= last => {
                 let why = format!("--until {last} was said; it holds frames 0 to {}", seen - 1);
-                Err(PlotError::bad_file(&self.path, &why, "leave out --until").into())
+                Err(bad_file(&self.path, &why, "leave out --until").into())
             }
             _ => Ok(()),
         }
     }
+}
+
+/// The finite rows of an energy ledger, at least two.
+pub(in crate::cli) fn ledger(path: &Path) -> Result<Vec<LedgerRow>, Failure> {
+    let mut rows = read_table(path, "energy", crate::output::energy::read)?;
+    let read = rows.len();
+    rows.retain(energy::is_finite);
+    if rows.len() < 2 {
+        let why = format!("{} of its {read} rows are finite; two are needed", rows.len());
+        return Err(bad_file(path, &why, "another run, with a smaller time step").into());
+    }
+    if rows.len() < read {
+        let left_out = read - rows.len();
+        remark(&format!(
+            "{}: {} left out, with numbers that are not finite",
+            echo::path(path),
+            counted(left_out, "row")
+        ));
+    }
+    Ok(rows)
 }

@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use super::arguments::TrajectoryArguments;
-use super::input::{FrameFile, one_file, remark};
-use super::ledger;
+use super::input::{FrameFile, ledger, one_file, remark};
 use super::progress::Progress;
 use super::target::Target;
 use crate::analysis::energy::LedgerRow;
-use crate::cli::Failure;
+use crate::cli::failure::Failure;
 use crate::figure::survey::Survey;
 use crate::output::frames::Frame;
 use crate::page::film::Film;

@@ -4,8 +4,9 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Component, Path, PathBuf};
 
-use super::error::PlotError;
-use crate::cli::Failure;
+use super::error::{bad_out, unreadable};
+use crate::cli::failure::Failure;
+use crate::cli::refusal::Refusal;
 use crate::echo;
 use crate::figure::Figure;
 use crate::figure::gnuplot::DataFile;
@@ -25,18 +26,14 @@ pub struct Target {
 
 impl Target {
     /// The files `out`, or `kind` with the `ending` of the picture in the current folder.
-    pub fn new(out: Option<&Path>, kind: &str, ending: &str) -> Result<Self, PlotError> {
+    pub fn new(out: Option<&Path>, kind: &str, ending: &str) -> Result<Self, Refusal> {
         let usual = PathBuf::from(format!("{kind}.{ending}"));
         let picture = out.map_or(usual, Path::to_owned);
-        let bad = |why: String, way_out: String| PlotError::BadOut {
-            path: picture.clone(),
-            why,
-            way_out,
-        };
+        let bad = |why: &str, way_out: String| bad_out(&picture, why, way_out);
         let said = picture.extension().map(|said| said.to_string_lossy().to_lowercase());
         if said.as_deref() != Some(ending) {
             return Err(bad(
-                format!("this picture is a .{ending} file"),
+                &format!("this picture is a .{ending} file"),
                 format!(
                     "--out {}; for PNG and PDF run the script: gnuplot -e \"out='{kind}.pdf'\" {kind}.gp",
                     echo::path(picture.with_extension(ending))
@@ -44,20 +41,21 @@ impl Target {
             ));
         }
         if picture.is_dir() {
-            return Err(bad("it is a folder".to_owned(), format!("--out FILE.{ending}")));
+            return Err(bad("it is a folder", format!("--out FILE.{ending}")));
         }
         let folder = folder_of(&picture);
         if !folder.is_dir() {
             let folder = echo::path(folder);
             return Err(bad(
-                format!("there is no folder {folder}"),
+                &format!("there is no folder {folder}"),
                 format!("make it: mkdir {folder}"),
             ));
         }
         let stem = picture.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let script = picture.with_extension("gp");
         for file in [&picture, &script] {
-            let why = |why| bad(format!("{}: {why}", echo::path(file)), "another --out".to_owned());
+            let why =
+                |why| bad(&format!("{}: {why}", echo::path(file)), "another --out".to_owned());
             place(file).map_err(why)?;
         }
         Ok(Self { script, picture, stem, is_silent: false })
@@ -69,17 +67,13 @@ impl Target {
     }
 
     /// How the script names a data file: from its own folder, so that both may be moved together.
-    pub fn data(&self, file: &Path) -> Result<DataFile, PlotError> {
-        let unreadable =
-            |source| PlotError::Unreadable { path: file.to_owned(), source, command: "parsim2d" };
+    pub fn data(&self, file: &Path) -> Result<DataFile, Refusal> {
+        let unreadable = |source| unreadable(file, &source, "parsim2d");
         let file = fs::canonicalize(file).map_err(unreadable)?;
         for target in [&self.picture, &self.script] {
             if fs::canonicalize(target).is_ok_and(|target| target == file) {
-                return Err(PlotError::BadOut {
-                    path: self.picture.clone(),
-                    why: format!("{} is what is to be drawn", echo::path(target)),
-                    way_out: "another --out".to_owned(),
-                });
+                let why = format!("{} is what is to be drawn", echo::path(target));
+                return Err(bad_out(&self.picture, &why, "another --out"));
             }
         }
         let folder = fs::canonicalize(folder_of(&self.script)).map_err(unreadable)?;

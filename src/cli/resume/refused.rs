@@ -2,10 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::cli::Failure;
-use crate::cli::claim::shown;
+use crate::cli::failure::Failure;
 use crate::cli::refusal::Refusal;
-use crate::cli::typed::quoted;
+use crate::cli::typed::{quoted, shown};
 use crate::echo;
 use crate::output::OutputError;
 use crate::output::checkpoint::container::Flaw;

@@ -70,7 +70,7 @@ fn count_by_skin(
     last: usize,
     workers: &Workers,
 ) -> (u64, [u64; 12]) {
-    let one_in = (search.particles.len() / DISCS_COUNTED).clamp(1, ONE_IN) as u64;
+    let one_in = (search.discs.count() / DISCS_COUNTED).clamp(1, ONE_IN) as u64;
     let mut pieces = Vec::new();
     for (k, level) in levels.iter().enumerate() {
         let starts = (0..level.count()).step_by(BLOCK);
@@ -80,16 +80,21 @@ fn count_by_skin(
     }
     workers.pieces(&mut pieces, |_, pieces| {
         for (k, discs, counts) in pieces {
-            search.each_run(&levels[*k..], discs.clone(), |_, p, run| {
-                run.each(search.particles, |_, q| {
-                    let reach = p.radius + q.radius;
-                    let squared = p.position.distance_squared(q.position);
-                    if squared < (reach + skins[last]) * (reach + skins[last]) {
-                        let gap = squared.sqrt() - reach;
-                        counts[skins[..last].iter().filter(|skin| gap >= **skin).count()] += 1;
+            search.each_run(
+                &levels[*k],
+                levels[*k + 1..].iter(),
+                discs.clone(),
+                |_, (position, radius), (_, discs), run| {
+                    for (its_position, its_radius) in run.map(|k| discs.at(k)) {
+                        let reach = radius + its_radius;
+                        let squared = position.distance_squared(its_position);
+                        if squared < (reach + skins[last]) * (reach + skins[last]) {
+                            let gap = squared.sqrt() - reach;
+                            counts[skins[..last].iter().filter(|skin| gap >= **skin).count()] += 1;
+                        }
                     }
-                });
-            });
+                },
+            );
         }
     });
     let mut counts = [0; 12];
@@ -102,6 +107,7 @@ fn count_by_skin(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::sizes::Extents;
 
     #[test]
     fn the_skin_fills_a_gap_between_neighbours_and_stays_narrow_where_there_is_none() {
@@ -117,8 +123,9 @@ mod tests {
 
     #[test]
     fn wider_skins_are_thought_of_where_discs_are_few_and_fast() {
-        let sizes =
-            |density| Sizes { mean_radius: 1.0, density, ..Sizes::of(&[], &[], &Workers::of(1)) };
+        let none = Extents { phases: &[], radii: &[] };
+        let of_none = Sizes::of(none, &[], &Workers::of(1));
+        let sizes = |density| Sizes { mean_radius: 1.0, density, ..of_none };
         assert_eq!(widest_skin(&sizes(0.8), 1e-4), 1.4);
         assert_eq!(widest_skin(&sizes(0.01), 0.1), 4.0);
     }

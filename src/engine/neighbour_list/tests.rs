@@ -6,10 +6,14 @@ use glam::DVec2;
 
 use super::make::{Listed, Search};
 use super::{GROUP, LONGEST_RING, NeighbourList, widest_skin};
-use crate::engine::levels::levels;
-use crate::engine::sizes::Sizes;
-use crate::engine::{BLOCK, Engine};
+use crate::boundary::Boundary;
 use crate::discs::Discs;
+use crate::engine::block::BLOCK;
+use crate::engine::levels::levels;
+use crate::engine::phase::Phase;
+use crate::engine::sizes::{Extents, Sizes};
+use crate::engine::workers::Workers;
+use crate::engine::{Contacts, Engine};
 use crate::integrator::{Integrator, SymplecticEuler};
 use crate::neighbours::all_pairs;
 use crate::particle::{Contact, ContactLaw, Damping, Particle, SpringDashpot};
@@ -99,15 +103,27 @@ fn scenes() -> Vec<(&'static str, Vec<Particle>)> {
     ]
 }
 
-fn engine(discs: Vec<Particle>, threads: usize) -> Engine<SpringDashpot> {
-    let damping = Damping::Coefficient(0.01);
-    let law = SpringDashpot { stiffness: 1e3, damping, tension: false };
-    let mut engine = Engine::new(discs, DVec2::ZERO, law, Vec::new(), DT, threads);
+const LAW: SpringDashpot =
+    SpringDashpot { stiffness: 1e3, damping: Damping::Coefficient(0.01), tension: false };
+
+fn engine(discs: Vec<Particle>, threads: usize) -> Engine<Contacts<SpringDashpot>> {
+    let mut engine = Engine::new(discs, DVec2::ZERO, LAW, Vec::new(), DT, threads);
     // Ids in another order than that of places.
-    let n = engine.ids.len() as u32;
-    engine.ids.iter_mut().for_each(|id| *id = n - 1 - *id);
+    let n = engine.columns.ids.len() as u32;
+    engine.columns.ids.iter_mut().for_each(|id| *id = n - 1 - *id);
+    engine.places.take();
     engine.list();
     engine
+}
+
+/// Lists these discs, stored as they come, with twice the skin.
+fn list_anywhere(list: &mut NeighbourList, discs: &[Particle], ids: &[u32], workers: &Workers) {
+    let phases: Vec<_> = discs.iter().map(Phase::from).collect();
+    let radii: Vec<_> = discs.iter().map(|p| p.radius).collect();
+    let discs = Extents { phases: &phases, radii: &radii };
+    let boundary = Boundary::default();
+    let listed = Listed { discs, ids, boundary, planes: &[], walls: &[], time: 0.0 };
+    list.list_anywhere(listed, workers);
 }
 
 /// All pairs of a list, and that they are stored as they should be.
@@ -115,7 +131,7 @@ fn pairs(list: &NeighbourList) -> BTreeSet<[usize; 2]> {
     assert!(list.far.is_sorted());
     let mut pairs: BTreeSet<_> = list.far.iter().map(|pair| pair.map(|at| at as usize)).collect();
     let mut many = pairs.len();
-    for block in 0..near.first_pair.len() - 1 {
+    for block in 0..list.first_pair.len() - 1 {
         let distinct = list.distinct_pairs_of(block);
         assert!(distinct.is_sorted_by(|a, b| a < b));
         let all = &list.pairs[list.pairs_of(block)];
@@ -152,7 +168,7 @@ fn hold_parts_against_pairs(list: &NeighbourList, ids: &[u32], wanted: &BTreeSet
     let mut buffer = vec![None; list.ring_length + 1];
     buffer.extend(list.far.iter().map(|pair| Some(pair.map(|at| at as usize))));
     let mut more = list.more.iter().peekable();
-    for block in 0..near.first_pair.len() - 1 {
+    for block in 0..list.first_pair.len() - 1 {
         for k in list.pairs_of(block) {
             let pair = list.pairs[k].map(|at| block * BLOCK + usize::from(at));
             buffer[k % list.ring_length] = Some(pair);
@@ -203,7 +219,8 @@ fn hold_reaches_against_pairs(list: &NeighbourList) {
 fn a_list_has_every_near_pair_once_and_every_part_where_its_force_will_lie() {
     for (name, discs) in scenes() {
         let mut engine = engine(discs, 1);
-        let wanted = near_pairs(&engine.particles, engine.list.skin);
+        let discs = engine.particles_as_stored().to_vec();
+        let wanted = near_pairs(&discs, engine.list.skin);
         println!(
             "{name}: {} pairs, {} far, {} more",
             wanted.len(),
@@ -211,18 +228,18 @@ fn a_list_has_every_near_pair_once_and_every_part_where_its_force_will_lie() {
             engine.list.more.len()
         );
         assert_eq!(pairs(&engine.list), wanted, "{name}");
-        hold_parts_against_pairs(&engine.list, &engine.ids, &wanted);
+        hold_parts_against_pairs(&engine.list, &engine.columns.ids, &wanted);
         hold_reaches_against_pairs(&engine.list);
 
         // Stored in any order: the same with twice the skin.
-        let Engine { particles, ids, near, workers, .. } = &mut engine;
-        particles.reverse();
-        ids.reverse();
-        list.list_anywhere(Listed { particles, ids, planes: &[] }, workers);
-        let wanted = near_pairs(particles, 2.0 * list.skin);
-        assert_eq!(pairs(near), wanted, "{name}");
-        hold_parts_against_pairs(list, ids, &wanted);
-        hold_reaches_against_pairs(near);
+        let discs: Vec<_> = discs.into_iter().rev().collect();
+        let ids: Vec<_> = engine.columns.ids.iter().rev().copied().collect();
+        let list = &mut engine.list;
+        list_anywhere(list, &discs, &ids, &engine.workers);
+        let wanted = near_pairs(&discs, 2.0 * list.skin);
+        assert_eq!(pairs(list), wanted, "{name}");
+        hold_parts_against_pairs(list, &ids, &wanted);
+        hold_reaches_against_pairs(list);
     }
 }
 
@@ -235,15 +252,14 @@ fn pairs_far_apart_in_storage_are_told_from_those_that_fit_into_the_ring() {
     let mut engine = engine(bed(2, 2), 1);
     let ids: Vec<u32> = (0..n as u32).collect();
     engine.list.skin = 1.5 * RADIUS;
-    let listed = Listed { particles: &discs, ids: &ids, planes: &[] };
-    engine.list.list_anywhere(listed, &engine.workers);
-    let near = &engine.list;
+    list_anywhere(&mut engine.list, &discs, &ids, &engine.workers);
+    let list = &engine.list;
     assert!(list.span < super::SPAN, "{}", list.span);
     assert!(!list.far.is_empty() && list.pairs.len() > list.ring_length);
     let wanted = near_pairs(&discs, 3.0 * RADIUS);
-    assert_eq!(pairs(near), wanted);
+    assert_eq!(pairs(list), wanted);
     hold_parts_against_pairs(list, &ids, &wanted);
-    hold_reaches_against_pairs(near);
+    hold_reaches_against_pairs(list);
 }
 
 /// The force on each disc, N, and the energy stored, J: one contact after the other.
@@ -272,7 +288,7 @@ fn a_giant_s_far_pairs_push_to_the_bits_of_one_contact_after_the_other_on_any_nu
         let mut engine = engine(discs.clone(), threads);
         engine.keep_work_ledger();
         assert!(engine.list.far.len() > 50, "{}", engine.list.far.len());
-        let (forces, energy) = one_after_the_other(engine.particles(), &engine.law);
+        let (forces, energy) = one_after_the_other(engine.particles(), &LAW);
         for (id, wanted) in forces.into_iter().enumerate() {
             assert_eq!(engine.particle(id).force, wanted, "disc {id} on {threads} threads");
         }
@@ -280,7 +296,7 @@ fn a_giant_s_far_pairs_push_to_the_bits_of_one_contact_after_the_other_on_any_nu
         assert!((engine.stored_energy() / energy - 1.0).abs() < 1e-12);
         (0..20).for_each(|_| SymplecticEuler.step(engine.as_motion(), DT));
         engine.settle();
-        (engine.particles().to_vec(), engine.works().copied())
+        (engine.particles().to_vec(), *engine.works())
     };
     let one = run(1);
     assert_ne!(one.0[0].velocity, DVec2::ZERO);
@@ -295,15 +311,16 @@ fn a_list_does_not_depend_on_the_number_of_threads() {
         let one = engine(discs.clone(), 1);
         for threads in [2, 3, 8] {
             let many = engine(discs.clone(), threads);
-            assert_eq!(many.ids, one.ids, "{name}");
+            assert_eq!(many.columns.ids, one.columns.ids, "{name}");
             let of = |list: &NeighbourList| {
-                let NeighbourList { pairs, first_pair, far, parts, more, more_parts, .. } = near;
+                let NeighbourList { pairs, first_pair, far, parts, more, more_parts, .. } = list;
                 let lists = (pairs.clone(), first_pair.clone(), far.clone(), parts.clone());
-                let NeighbourList { reaches_back_to, reaches_ahead_to, ring_length, skin, .. } = near;
+                let NeighbourList { reaches_back_to, reaches_ahead_to, ring_length, skin, .. } =
+                    list;
                 let reaches = (reaches_back_to.clone(), reaches_ahead_to.clone());
                 (lists, more.clone(), more_parts.clone(), reaches, *ring_length, skin.to_bits())
             };
-            assert!(of(&many.near) == of(&one.near), "{name} on {threads} threads");
+            assert!(of(&many.list) == of(&one.list), "{name} on {threads} threads");
         }
     }
 }
@@ -311,14 +328,17 @@ fn a_list_does_not_depend_on_the_number_of_threads() {
 /// Pairs looked at when a list is made of these discs, for each disc.
 fn looked_at(discs: Vec<Particle>) -> f64 {
     let engine = engine(discs, 1);
-    let sizes = Sizes::of(&engine.particles, &engine.ids, &engine.workers);
-    let levels = levels(&engine.particles, &sizes, widest_skin(&sizes, 0.0), &engine.workers);
-    let search = Search { particles: &engine.particles, skin: 0.0 };
+    let radii: Vec<_> = engine.sizes.iter().map(|size| size.radius).collect();
+    let discs = Extents { phases: &engine.phases, radii: &radii };
+    let sizes = Sizes::of(discs, &engine.columns.ids, &engine.workers);
+    let levels = levels(discs, &sizes, widest_skin(&sizes, 0.0), None);
+    let search = Search { discs, skin: 0.0 };
     let mut looked_at = 0;
     for (k, level) in levels.iter().enumerate() {
-        search.each_run(&levels[k..], 0..level.count(), |_, _, run| looked_at += run.count());
+        let coarser = levels[k + 1..].iter();
+        search.each_run(level, coarser, 0..level.count(), |_, _, _, run| looked_at += run.len());
     }
-    looked_at as f64 / engine.particles.len() as f64
+    looked_at as f64 / discs.count() as f64
 }
 
 #[test]
@@ -369,9 +389,9 @@ fn a_disc_far_away_makes_no_list() {
 #[test]
 fn a_bed_has_a_wide_skin_that_costs_no_pair_and_a_thin_gas_a_wider_one() {
     let spaced = engine(bed(4000, 60), 1); // 2.02 radii from one to the next, 2.86 across
-    assert!(spaced.near.skin >= 0.69 * RADIUS, "{}", spaced.near.skin);
-    let pairs_a_disc = pairs(&spaced.near).len() as f64 / 4000.0;
+    assert!(spaced.list.skin >= 0.69 * RADIUS, "{}", spaced.list.skin);
+    let pairs_a_disc = pairs(&spaced.list).len() as f64 / 4000.0;
     assert!(pairs_a_disc < 2.0, "{pairs_a_disc}");
-    let skin = engine(gas(4000, 0.01, |_| 1.0), 1).near.skin;
+    let skin = engine(gas(4000, 0.01, |_| 1.0), 1).list.skin;
     assert!(skin > 2.0 * RADIUS, "{skin}");
 }

@@ -1,7 +1,5 @@
 //! The sum of the forces on each disc of a block: weight, added forces, walls, then its pairs in ascending id of the partner.
 
-use std::ops::Range;
-
 use glam::DVec2;
 
 use super::Sweep;
@@ -15,69 +13,43 @@ use crate::engine::phase::Phase;
 use crate::particle::{Contact, ContactLaw, Particle};
 
 impl<I: Interaction> Sweep<'_, I> {
-    /// Adds up the forces on `discs`, the first of which is stored at `first`. `ring` and `far` hold those of their pairs.
+    /// What the sums of all discs begin with, if that is the same for all but those near walls.
+    pub(super) fn usual_start<V: Lanes, E: Entry<V>>(&self) -> Option<E::Stored> {
+        let size = self.fixed.equal.filter(|_| self.starts.is_empty())?;
+        Some(E::side(size.mass * self.gravity, DVec2::ZERO))
+    }
+
+    /// The sums of forces on the `discs` of a block. What they begin with is put into `starts`, which hold the usual
+    /// start if there is one. `ring` and `far` hold the forces of the discs' pairs.
     #[inline(always)]
-    pub(super) fn gather<V: Lanes, E: Entry<V>>(
-        &self,
+    pub(super) fn sums<'b, V: Lanes, E: Entry<V>>(
+        &'b self,
         zero: V,
-        (discs, first): (&[Phase], usize),
-        ring: &[E::Both],
+        (block, discs, first): (usize, &[Phase], usize),
+        ring: &'b [E::Both],
         far: &[E::Both],
-        mut sums: Sums,
+        starts: &'b mut [E::Stored],
         noted: Noted,
-    ) {
-        let places = first..first + discs.len();
+    ) -> Sums<'b, V, E> {
         // SAFETY: parts name no entry after those of no force: the list was made so.
         #[allow(unsafe_code)]
         let ring = unsafe { Lookup::sides::<E::Both>(ring, self.list.no_force() + 2) };
-        let parts = &self.list.parts[places.clone()];
-        match self.fixed.equal {
-            Some(size) if self.starts.is_empty() => {
-                let weight = E::start(zero, size.mass * self.gravity, DVec2::ZERO);
-                add_up::<V, E>(
-                    #[inline(always)]
-                    |_| weight,
-                    parts,
-                    ring,
-                    &mut sums,
-                );
-            }
-            _ => {
-                add_up::<V, E>(
-                    #[inline(always)]
-                    |here| self.start::<V, E>(zero, first + here),
-                    parts,
-                    ring,
-                    &mut sums,
-                );
+        if self.fixed.equal.is_none() || !self.starts.is_empty() {
+            for (place, start) in (first..).zip(&mut starts[..discs.len()]) {
+                *start = self.start::<V, E>(place);
             }
         }
-        for &at in self.list.at_wall_among(&places) {
+        for &at in self.list.at_wall_of(block) {
             let here = at as usize - first;
-            let start = E::of(self.start::<V, E>(zero, at as usize));
             let disc = self.fixed.body(at as usize, &discs[here]).particle();
+            let start = E::of(E::start(zero, &starts[here]));
             let [force, spring] = self.touch_walls(start, &disc, noted.largest, noted.power);
-            let start = E::start(zero, force, spring);
-            sums.put::<V, E>(here, E::plus_six(start, &parts[here], ring));
+            starts[here] = E::side(force, spring);
         }
-        self.add_more::<V, E>(zero, places, ring, far, &mut sums);
-    }
-
-    /// Adds up the parts of discs that have many, or far ones. Their six parts were no force at all, so what is there is
-    /// what the sum begins with.
-    #[inline(always)]
-    fn add_more<V: Lanes, E: Entry<V>>(
-        &self,
-        zero: V,
-        places: Range<usize>,
-        ring: Lookup<E::Stored>,
-        far: &[E::Both],
-        sums: &mut Sums,
-    ) {
-        for of in self.list.more_among(&places) {
-            let here = of.place as usize - places.start;
-            let spring = sums.springs.get(here).copied().unwrap_or_default();
-            let mut sum = E::start(zero, sums.forces[here], spring);
+        // Discs that have many parts, or far ones: their six parts are no force at all, so all that there is comes before.
+        for of in self.list.more_of(block) {
+            let here = of.place as usize - first;
+            let mut sum = E::start(zero, &starts[here]);
             let [begin, end] = of.parts.map(|part| part as usize);
             for &part in &self.list.more_parts[begin..end] {
                 sum = match (part as usize).checked_sub(self.list.no_force() + 2) {
@@ -85,16 +57,35 @@ impl<I: Interaction> Sweep<'_, I> {
                     Some(part) => E::plus(sum, &E::apart(far[part / 2])[part % 2]),
                 };
             }
-            sums.put::<V, E>(here, sum);
+            let [force, spring] = E::of(sum);
+            starts[here] = E::side(force, spring);
         }
+        let parts = &self.list.parts[first..first + discs.len()];
+        Sums { zero, starts: &starts[..discs.len()], parts, ring }
     }
 
     /// What the sum of the disc at this place begins with.
     #[inline(always)]
-    fn start<V: Lanes, E: Entry<V>>(&self, zero: V, place: usize) -> E::Sum {
+    fn start<V: Lanes, E: Entry<V>>(&self, place: usize) -> E::Stored {
         match self.starts.get(place) {
-            Some(start) => E::start(zero, start.force, start.spring),
-            None => E::start(zero, self.fixed.sizes[place].mass * self.gravity, DVec2::ZERO),
+            Some(start) => E::side(start.force, start.spring),
+            None => E::side(self.fixed.sizes[place].mass * self.gravity, DVec2::ZERO),
+        }
+    }
+
+    /// Puts the `usual` start back for the discs of a block that began otherwise; `first` is the place of the first.
+    #[inline(always)]
+    pub(super) fn put_back<V: Lanes, E: Entry<V>>(
+        &self,
+        (block, first): (usize, usize),
+        usual: Option<E::Stored>,
+        starts: &mut [E::Stored],
+    ) {
+        if let Some(usual) = usual {
+            let more = self.list.more_of(block).iter().map(|of| of.place);
+            for at in self.list.at_wall_of(block).iter().copied().chain(more) {
+                starts[at as usize - first] = usual;
+            }
         }
     }
 
@@ -130,26 +121,5 @@ impl<I: Interaction> Sweep<'_, I> {
             }
         }
         [force, spring]
-    }
-}
-
-/// Adds up what each disc's `parts` name in the `ring`, from its start on.
-#[inline(always)]
-fn add_up<V: Lanes, E: Entry<V>>(
-    start: impl Fn(usize) -> E::Sum,
-    parts: &[[u16; 6]],
-    ring: Lookup<E::Stored>,
-    sums: &mut Sums,
-) {
-    let forces = &mut sums.forces[..parts.len()];
-    if E::HAS_SPRING {
-        let springs = &mut sums.springs[..parts.len()];
-        for (here, parts) in parts.iter().enumerate() {
-            [forces[here], springs[here]] = E::of(E::plus_six(start(here), parts, ring));
-        }
-    } else {
-        for (here, (parts, force)) in parts.iter().zip(forces).enumerate() {
-            [*force, _] = E::of(E::plus_six(start(here), parts, ring));
-        }
     }
 }

@@ -3,6 +3,10 @@
 use wide::f64x4;
 
 use super::*;
+#[cfg(target_arch = "x86_64")]
+use crate::engine::avx2::{Avx2, Four};
+#[cfg(all(target_arch = "x86_64", has_avx512))]
+use crate::engine::avx512::Avx512;
 use crate::engine::block_pairs::Fixed;
 use crate::engine::lookup::Lookup;
 use crate::engine::pair_buffer::{Split, Whole};
@@ -59,7 +63,7 @@ fn assert_same<V: Lanes, E: Entry<V>>(
         [law.push(&contact), law.spring(&contact)].map(|size| size * contact.normal)
     });
     // Added to 0, as sums begin: the sign of a zero force changes no sum.
-    let sum = |side| E::of(E::plus(E::start(zero, DVec2::ZERO, DVec2::ZERO), side));
+    let sum = |side| E::of(E::plus(E::start(zero, &E::Stored::default()), side));
     let bits = |force: DVec2| (force + DVec2::ZERO).to_array().map(f64::to_bits);
     let wanted = if E::HAS_SPRING { wanted } else { [wanted[0], DVec2::ZERO] };
     assert_eq!(sum(&on_b).map(bits), wanted.map(bits), "on {b:?} of {a:?}");
@@ -124,13 +128,20 @@ fn contacts_of_a_walk_have_the_bits_of_one_at_a_time_on_any_processor() {
     for damping in [Damping::Coefficient(4.0), Damping::Rate(30.0), Damping::Ratio(0.7)] {
         for (tension, equal) in [(false, false), (true, false), (false, true), (true, true)] {
             let law = SpringDashpot { stiffness: 5.0, damping, tension };
-            hold_against_one_at_a_time::<_, Whole>(f64x4::ZERO, &law, equal);
-            hold_against_one_at_a_time::<_, Split>(f64x4::ZERO, &law, equal);
+            hold_both(f64x4::ZERO, &law, equal);
             #[cfg(target_arch = "x86_64")]
-            if let Some(zero) = crate::engine::avx2::Four::on_this_processor() {
-                hold_against_one_at_a_time::<_, Whole>(zero, &law, equal);
-                hold_against_one_at_a_time::<_, Split>(zero, &law, equal);
+            if let Some(zero) = Four::<Avx2>::on_this_processor() {
+                hold_both(zero, &law, equal);
+            }
+            #[cfg(all(target_arch = "x86_64", has_avx512))]
+            if let Some(zero) = Four::<Avx512>::on_this_processor() {
+                hold_both(zero, &law, equal);
             }
         }
     }
+}
+
+fn hold_both<V: Lanes>(zero: V, law: &SpringDashpot, equal: bool) {
+    hold_against_one_at_a_time::<V, Whole>(zero, law, equal);
+    hold_against_one_at_a_time::<V, Split>(zero, law, equal);
 }

@@ -1,7 +1,7 @@
 //! What tells the curves of a drift study apart.
 
 use crate::figure::colour::OKABE_ITO;
-use crate::figure::label::short;
+use crate::number::typographic;
 use crate::output::drift::{CurveRow, DriftRow};
 
 /// What makes one curve: case, integrator and restitution, and N_t where the curve runs over time.
@@ -65,7 +65,7 @@ impl Keys {
             parts.push(key.integrator.clone());
         }
         if self.restitutions.len() > 1 {
-            parts.push(format!("e = {}", short(key.restitution, 3)));
+            parts.push(format!("e = {}", typographic(key.restitution, 3)));
         }
         if key.nt > 0.0 {
             parts.push(format!("N_t = {}", key.nt));

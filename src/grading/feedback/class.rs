@@ -5,7 +5,6 @@ use std::fmt::Write;
 use maud::{Markup, PreEscaped, html};
 
 use super::document::{Paper, document, paragraph};
-use super::number::percent;
 use super::plain::one_line;
 use super::student::legend;
 use super::survey::{BINS, checks, distribution, graded, median, mistakes};
@@ -14,6 +13,7 @@ use super::words::Words;
 use super::{Entry, Graded, VERSION};
 use crate::figure::svg::{Anchor, Area, Svg};
 use crate::grading::judge::check::Check;
+use crate::number::cut;
 use crate::page::html::{section, wide};
 
 /// One self-contained page. `files` are the names of the students' pages beside it, in the order of the
@@ -23,7 +23,7 @@ pub fn html_of_class(entries: &[Entry], files: &[String], words: &Words) -> Stri
     let submissions = if entries.len() == 1 { one } else { several };
     let mut line = format!("{} {submissions}", entries.len());
     if let Some(median) = median(entries) {
-        let _ = write!(line, "; {middle}: {}", percent(median));
+        let _ = write!(line, "; {middle}: {}", cut(median));
     }
     let body = html! {
         h1 { (words.class) }
@@ -73,7 +73,7 @@ fn row(graded: &Graded, file: Option<&String>, checks: &[Check], words: &Words) 
                 @if let Some(file) = file { a href={ (address(file)) ".html" } { (name) } }
                 @else { (name) }
             }
-            td.number { (percent(graded.report.percent())) }
+            td.number { (cut(graded.report.percent())) }
             @for check in checks {
                 @if let Some(status) = graded.report.status(*check) {
                     @let face = face(&graded.report, *check, status);

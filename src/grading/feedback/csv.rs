@@ -1,11 +1,11 @@
 //! The class as a table for spreadsheets: a row a submission.
 
-use super::number::percent;
 use super::plain::{cell, one_line};
 use super::survey::checks;
 use super::text::causes;
 use super::{Entry, Graded};
 use crate::grading::judge::check::Check;
+use crate::number::{cut, decimals};
 
 /// Columns before and after the checks.
 const BEFORE: [&str; 5] = ["name", "percent", "earned", "lost", "open"];
@@ -36,8 +36,8 @@ fn row(entry: &Entry, checks: &[Check]) -> Vec<String> {
         }
     };
     let report = &graded.report;
-    let mut row = vec![cell(&graded.name), percent(report.percent())];
-    row.extend([report.earned(), report.lost(), report.open()].map(number));
+    let mut row = vec![cell(&graded.name), cut(report.percent())];
+    row.extend([report.earned(), report.lost(), report.open()].map(without_dust));
     row.extend(checks.iter().map(|check| earned(graded, *check)));
     row.extend([
         causes(graded).join(";"),
@@ -48,13 +48,15 @@ fn row(entry: &Entry, checks: &[Check]) -> Vec<String> {
     row
 }
 
+/// Points without the dust of sums.
+fn without_dust(points: f64) -> String {
+    decimals(points, 6)
+}
+
 fn earned(graded: &Graded, check: Check) -> String {
     let status = graded.report.status(check);
     let score = status.map(|status| graded.report.score(check, status));
-    score.filter(|(earned, lost)| earned + lost > 0.0).map_or_else(String::new, |(x, _)| number(x))
-}
-
-/// Without the dust of sums.
-fn number(value: f64) -> String {
-    format!("{}", (1e6 * value).round() / 1e6 + 0.0)
+    score
+        .filter(|(earned, lost)| earned + lost > 0.0)
+        .map_or_else(String::new, |(x, _)| without_dust(x))
 }

@@ -4,6 +4,8 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
+
 use super::class::html_of_class;
 use super::classroom50::{Classroom, classroom50};
 use super::csv::csv_of_class;
@@ -13,33 +15,36 @@ use super::student::html_of_student;
 use super::text::{text_of_class, text_of_student};
 use super::words::Words;
 use super::{Entry, Graded, check50, codegrade, gradescope, junit, vpl};
+use crate::named::named;
 use crate::output::OutputError;
 use crate::output::place::plain_text;
 use crate::output::replace::replace;
 
-/// A format of sheets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// For a terminal.
-    Text,
-    /// Our own JSON.
-    Json,
-    /// Pages.
-    Html,
-    /// A table of a class.
-    Csv,
-    /// `results.json`.
-    Gradescope,
-    /// `result.json`.
-    Classroom50,
-    /// JUnit XML.
-    Junit,
-    /// What Moodle's VPL reads.
-    Vpl,
-    /// JSON in the manner of check50.
-    Check50,
-    /// What CodeGrade reads from file descriptor 3.
-    Codegrade,
+named! {
+    /// A format of sheets, and how names of its files end.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+    pub enum Format, ending {
+        /// For a terminal
+        Text = "txt",
+        /// Our own, with stable ids
+        Json = "json",
+        /// A page for a student, or of the class if there are more
+        Html = "html",
+        /// A table of the class
+        Csv = "csv",
+        /// Gradescope's results.json
+        Gradescope = "gradescope.json",
+        /// Classroom 50's result.json
+        Classroom50 = "classroom50.json",
+        /// JUnit XML: GitLab, GitHub, Jenkins, CodeGrade
+        Junit = "junit.xml",
+        /// What Moodle's VPL reads
+        Vpl = "vpl.txt",
+        /// JSON in the manner of check50
+        Check50 = "check50.json",
+        /// What CodeGrade reads from file descriptor 3
+        Codegrade = "codegrade.json",
+    }
 }
 
 /// What the platform around says.
@@ -60,22 +65,6 @@ impl Default for Around {
 }
 
 impl Format {
-    /// How names of its files end, for a submission.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Text => "txt",
-            Self::Json => "json",
-            Self::Html => "html",
-            Self::Csv => "csv",
-            Self::Gradescope => "gradescope.json",
-            Self::Classroom50 => "classroom50.json",
-            Self::Junit => "junit.xml",
-            Self::Vpl => "vpl.txt",
-            Self::Check50 => "check50.json",
-            Self::Codegrade => "codegrade.json",
-        }
-    }
-
     /// Whether it can hold more than one submission.
     pub fn is_of_class(self) -> bool {
         matches!(self, Self::Text | Self::Json | Self::Html | Self::Csv | Self::Junit)

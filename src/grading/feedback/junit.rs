@@ -5,14 +5,15 @@ use std::fmt::Write;
 
 use maud::html;
 
-use super::number::percent;
 use super::plain::one_line;
 use super::text::{all, found, tier};
 use super::words::Words;
 use super::{Entry, Graded, VERSION};
 use crate::grading::judge::check::Check;
+use crate::grading::judge::mistake::Mistake;
 use crate::grading::judge::rubric::Visibility;
 use crate::grading::judge::verdict::Status;
+use crate::number::cut;
 
 /// A suite for each submission, a case for each check; one that could not be graded is an error.
 pub fn junit(entries: &[Entry], words: &Words) -> String {
@@ -50,7 +51,7 @@ fn suite(graded: &Graded, words: &Words) -> String {
         graded.seconds,
     );
     let properties = [
-        ("percent", percent(graded.report.percent())),
+        ("percent", cut(graded.report.percent())),
         ("tier", one_line(tier(graded, words))),
         ("version", VERSION.to_owned()),
     ];
@@ -72,7 +73,7 @@ fn case(graded: &Graded, check: Check, status: &Status, suite: &str, words: &Wor
         Status::Passed => String::new(),
         Status::Failed(failure) => {
             let message = escaped(&found(failure, words));
-            let kind = failure.cause.map_or_else(|| check.id().to_owned(), |cause| cause.id());
+            let kind = failure.cause.map_or(check.id(), Mistake::id);
             format!("<failure message=\"{message}\" type=\"{kind}\">{text}</failure>")
         }
         Status::NotSeen | Status::Skipped(_) | Status::Masked => {

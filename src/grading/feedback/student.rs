@@ -4,7 +4,6 @@ use maud::{Markup, html};
 
 use super::Graded;
 use super::document::{Paper, document, paragraph};
-use super::number::{percent, points};
 use super::plain::{beginning, one_line, plain};
 use super::text::{
     face, found, graded_by, is_kept_back, is_untold, is_without_tests, notes, numbers, said,
@@ -14,6 +13,7 @@ use super::words::{Face, Words};
 use crate::grading::judge::check::Check;
 use crate::grading::judge::rubric::Rubric;
 use crate::grading::judge::verdict::{Failure, Status};
+use crate::number::{cut, decimals, shortest};
 use crate::page::html::{figure, list, section};
 
 /// The longest log of a page, bytes.
@@ -44,7 +44,7 @@ fn head(graded: &Graded, title: &str, words: &Words) -> Markup {
     html! {
         h1 { (title) }
         p.sum { (sum(&graded.report, words)) }
-        div.bar { span style={ "width:" (percent(graded.report.percent())) "%" } {} }
+        div.bar { span style={ "width:" (cut(graded.report.percent())) "%" } {} }
         @if graded.is_partial { (paragraph("partial", words.partial)) }
     }
 }
@@ -56,9 +56,9 @@ fn article(graded: &Graded, check: Check, status: &Status, words: &Words) -> Mar
     let [of, _] = words.grade.points;
     let (earned, lost) = report.score(check, status);
     let all = report.points_of(check);
-    let (all, name) = (points(all), words.grade.points_of(all));
+    let (all, name) = (decimals(all, 2), words.grade.points_of(all));
     let score = match earned + lost > 0.0 {
-        true => format!("{} {of} {all} {name}", points(earned)),
+        true => format!("{} {of} {all} {name}", decimals(earned, 2)),
         false => (words.face)(face).to_owned(),
     };
     let inside = match status {
@@ -161,12 +161,12 @@ fn measures(rubric: &Rubric, words: &Words) -> Vec<(String, String)> {
     };
     let values = [
         any(rubric.n.iter().map(usize::to_string).collect()),
-        rubric.side.to_string(),
-        any(rubric.radius.iter().map(|r| format!("{r:e}")).collect()),
-        rubric.mass.to_string(),
-        rubric.gravity.to_string(),
-        format!("{:e}", rubric.kn),
-        format!("{:e}", rubric.eta),
+        shortest(rubric.side),
+        any(rubric.radius.iter().map(|r| shortest(*r)).collect()),
+        shortest(rubric.mass),
+        shortest(rubric.gravity),
+        shortest(rubric.kn),
+        shortest(rubric.eta),
         e(true),
         e(false),
     ];

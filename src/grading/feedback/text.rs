@@ -2,14 +2,15 @@
 
 use std::fmt::Write;
 
-use super::number::{percent, points, short};
 use super::plain::{LONGEST, beginning, one_line, plain};
 use super::words::{Face, Words};
 use super::{Entry, Graded, VERSION, name_of};
 use crate::grading::judge::check::Check;
+use crate::grading::judge::mistake::Mistake;
 use crate::grading::judge::rubric::Visibility;
 use crate::grading::judge::verdict::{Failure, Report, Status};
 use crate::grading::judge::words::Finding;
+use crate::number::{at_most, cut, decimals};
 
 /// How a check came out.
 pub fn face(report: &Report, check: Check, status: &Status) -> Face {
@@ -44,7 +45,7 @@ pub fn numbers<'a>(
     failure: &'a Failure,
     words: &'a Words,
 ) -> impl Iterator<Item = (&'static str, String)> + 'a {
-    let named = |(quantity, value)| ((words.grade.quantity)(quantity), short(value));
+    let named = |(quantity, value)| ((words.grade.quantity)(quantity), at_most(value, 4));
     failure.numbers.iter().copied().map(named)
 }
 
@@ -140,9 +141,9 @@ pub fn sum(report: &Report, words: &Words) -> String {
     let [of, not_judged] = words.grade.points;
     let (earned, lost, open) = (report.earned(), report.lost(), report.open());
     let name = words.grade.points_of(earned + lost);
-    let [earned, decided] = [earned, earned + lost].map(points);
-    let mut line = format!("{earned} {of} {decided} {name} ({} %)", percent(report.percent()));
-    let open = points(open);
+    let [earned, decided] = [earned, earned + lost].map(|points| decimals(points, 2));
+    let mut line = format!("{earned} {of} {decided} {name} ({} %)", cut(report.percent()));
+    let open = decimals(open, 2);
     if open != "0" {
         let _ = write!(line, "; {open} {not_judged}");
     }
@@ -201,7 +202,7 @@ pub fn text_of_class(entries: &[Entry], words: &Words) -> String {
     for (name, entry) in names.iter().zip(entries) {
         let rest = match entry {
             Ok(graded) => {
-                format!("{:>6}  {}", percent(graded.report.percent()), causes(graded).join(", "))
+                format!("{:>6}  {}", cut(graded.report.percent()), causes(graded).join(", "))
             }
             Err(ungraded) => format!("{:>6}  {}", "?", one_line(&ungraded.why)),
         };
@@ -211,10 +212,10 @@ pub fn text_of_class(entries: &[Entry], words: &Words) -> String {
 }
 
 /// Ids of the mistakes, or of the checks where no mistake is known, in order, each once.
-pub fn causes(graded: &Graded) -> Vec<String> {
-    let mut causes: Vec<String> = Vec::new();
+pub fn causes(graded: &Graded) -> Vec<&'static str> {
+    let mut causes = Vec::new();
     for (check, failure) in graded.report.failures() {
-        let id = failure.cause.map_or_else(|| check.id().to_owned(), |mistake| mistake.id());
+        let id = failure.cause.map_or(check.id(), Mistake::id);
         if !causes.contains(&id) {
             causes.push(id);
         }

@@ -6,11 +6,11 @@
 use std::fmt::Write;
 
 use super::Graded;
-use super::number::points;
 use super::plain::one_line;
 use super::text::{face, graded_by, lines, notes, said, sum};
 use super::words::Words;
 use crate::grading::judge::verdict::Status;
+use crate::number::decimals;
 
 /// The comments and, last, the grade on a scale from `scale[0]` to `scale[1]`.
 pub fn vpl(graded: &Graded, scale: [f64; 2], words: &Words) -> String {
@@ -43,7 +43,7 @@ pub fn vpl(graded: &Graded, scale: [f64; 2], words: &Words) -> String {
     let how = one_line(&graded_by(graded, words));
     let _ = writeln!(text, "{}\n--|>", as_it_is(&how));
     let grade = scale[0] + (scale[1] - scale[0]) * report.percent() / 100.0;
-    let _ = writeln!(text, "Grade :=>> {}", points(grade));
+    let _ = writeln!(text, "Grade :=>> {}", decimals(grade, 2));
     text
 }
 

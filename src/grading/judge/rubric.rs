@@ -12,6 +12,7 @@ use self::program::Program;
 use super::check::Check;
 use super::mistake::Mistake;
 use crate::analysis::collision::{ContactEnd, angular_frequency, damping_ratio, restitution};
+use crate::table::table;
 
 /// What a skipped check does to the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -75,86 +76,58 @@ pub enum Visibility {
     Visible,
 }
 
-/// A course's numbers. SI units.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Rubric {
-    /// Number of discs: any of these; empty for any number.
-    pub n: Vec<usize>,
-    /// Side of the box, m.
-    pub side: f64,
-    /// Lower left corner of the box, m.
-    pub corner: [f64; 2],
-    /// Radius, m: any of these; empty for any.
-    pub radius: Vec<f64>,
-    /// Mass, kg.
-    pub mass: f64,
-    /// Gravity, m/s2, positive downward.
-    pub gravity: f64,
-    /// Stiffness k_n, N/m.
-    pub kn: f64,
-    /// Damping eta_n, kg/s; not used if `restitution` is given.
-    pub eta: f64,
-    /// What pushes discs apart.
-    pub law: Law,
-    /// Restitution e of walls and pairs.
-    pub restitution: Option<f64>,
-    /// Restitution of walls, before `restitution`.
-    pub restitution_wall: Option<f64>,
-    /// Restitution of pairs, before `restitution`.
-    pub restitution_pair: Option<f64>,
-    /// What a submission loses that took eta_n as the guide prints it.
-    pub printed_eta: PrintedEta,
-    /// How far the median of measured restitutions may be off.
-    pub restitution_tolerance: f64,
-    /// By what factor the stiffness over mass and gravity may be off.
-    pub stiffness_factor: f64,
-    /// By what part of itself the energy may change.
-    pub energy_tolerance: f64,
-    /// What a skipped check does to the points.
-    pub skipped: Skipped,
-    /// Points of each check.
-    pub points: BTreeMap<Check, f64>,
-    /// What part of a check's points a mistake leaves, 0 to 1; 0 if not named.
-    pub partial: BTreeMap<Mistake, f64>,
-    /// When students may see a check; at once if not named.
-    pub visibility: BTreeMap<Check, Visibility>,
-    /// Hints in place of the usual ones.
-    pub hints: BTreeMap<Mistake, String>,
-    /// How submissions are built and run.
-    pub program: Program,
-    /// Unit tests of what students declare, if there are any.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub interface: Option<Interface>,
-}
-
-impl Default for Rubric {
-    fn default() -> Self {
-        Self {
-            n: Vec::new(),
-            side: 0.04,
-            corner: [0.0; 2],
-            radius: vec![1e-4, 5e-4],
-            mass: 1e-3,
-            gravity: 9.81,
-            kn: 5e4,
-            eta: 1.5e-3,
-            law: Law::Spring,
-            restitution: None,
-            restitution_wall: None,
-            restitution_pair: None,
-            printed_eta: PrintedEta::Forgiven,
-            restitution_tolerance: 0.035,
-            stiffness_factor: 1.5,
-            energy_tolerance: 0.08,
-            skipped: Skipped::LostWithoutFrames,
-            points: BTreeMap::new(),
-            partial: BTreeMap::new(),
-            visibility: BTreeMap::new(),
-            hints: BTreeMap::new(),
-            program: Program::default(),
-            interface: None,
-        }
+table! {
+    /// A course's numbers. SI units.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields, default)]
+    pub struct Rubric, Default {
+        /// Number of discs: any of these; empty for any number.
+        n: Vec<usize> = Vec::new();
+        /// Side of the box, m.
+        side: f64 = 0.04;
+        /// Lower left corner of the box, m.
+        corner: [f64; 2] = [0.0; 2];
+        /// Radius, m: any of these; empty for any.
+        radius: Vec<f64> = vec![1e-4, 5e-4];
+        /// Mass, kg.
+        mass: f64 = 1e-3;
+        /// Gravity, m/s2, positive downward.
+        gravity: f64 = 9.81;
+        /// Stiffness k_n, N/m.
+        kn: f64 = 5e4;
+        /// Damping eta_n, kg/s; not used if `restitution` is given.
+        eta: f64 = 1.5e-3;
+        /// What pushes discs apart.
+        law: Law = Law::Spring;
+        /// Restitution e of walls and pairs.
+        restitution: Option<f64> = None;
+        /// Restitution of walls, before `restitution`.
+        restitution_wall: Option<f64> = None;
+        /// Restitution of pairs, before `restitution`.
+        restitution_pair: Option<f64> = None;
+        /// What a submission loses that took eta_n as the guide prints it.
+        printed_eta: PrintedEta = PrintedEta::Forgiven;
+        /// How far the median of measured restitutions may be off.
+        restitution_tolerance: f64 = 0.035;
+        /// By what factor the stiffness over mass and gravity may be off.
+        stiffness_factor: f64 = 1.5;
+        /// By what part of itself the energy may change.
+        energy_tolerance: f64 = 0.08;
+        /// What a skipped check does to the points.
+        skipped: Skipped = Skipped::LostWithoutFrames;
+        /// Points of each check.
+        points: BTreeMap<Check, f64> = BTreeMap::new();
+        /// What part of a check's points a mistake leaves, 0 to 1; 0 if not named.
+        partial: BTreeMap<Mistake, f64> = BTreeMap::new();
+        /// When students may see a check; at once if not named.
+        visibility: BTreeMap<Check, Visibility> = BTreeMap::new();
+        /// Hints in place of the usual ones.
+        hints: BTreeMap<Mistake, String> = BTreeMap::new();
+        /// How submissions are built and run.
+        program: Program = Program::default();
+        /// Unit tests of what students declare, if there are any.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        interface: Option<Interface> = None;
     }
 }
 
@@ -277,8 +250,7 @@ impl Rubric {
             ("restitution_wall", self.restitution_wall),
             ("restitution_pair", self.restitution_pair),
         ];
-        e.map(|(name, e)| (name.to_owned(), e))
-            .into_iter()
+        e.into_iter()
             .chain(kept)
             .filter_map(|(name, part)| Some((name, part?)))
             .find(|(_, part)| !(0.0..=1.0).contains(part))

@@ -9,7 +9,6 @@
 use serde_json::{Value, json};
 
 use super::check::Check;
-use super::film::Film;
 use super::mistake::Mistake;
 use super::rubric::Rubric;
 use super::wall::Wall;
@@ -87,7 +86,7 @@ pub enum Status {
 pub type Verdict = Status;
 
 /// All checks of one submission.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Report {
     /// Each check that was come to, in order.
     pub checks: Vec<(Check, Status)>,
@@ -119,16 +118,7 @@ impl Report {
     }
 
     fn asking(asked: Vec<Check>, rubric: &Rubric) -> Self {
-        Self {
-            checks: Vec::new(),
-            asked,
-            rubric: rubric.clone(),
-            frames: 0,
-            discs: 0,
-            torn: 0,
-            uneven: 0,
-            notes: Vec::new(),
-        }
+        Self { asked, rubric: rubric.clone(), ..Self::default() }
     }
 
     /// Writes down a check.
@@ -334,17 +324,6 @@ impl Report {
             "notes": notes,
             "checks": checks,
         })
-    }
-
-    /// As JSON, each failure that has a frame with a `picture` of it in SVG.
-    pub fn json_with_pictures(&self, words: &Words, film: Option<&Film>) -> Value {
-        let mut value = self.json(words);
-        for (k, (_, status)) in self.checks.iter().enumerate() {
-            if let (Status::Failed(failure), Some(film)) = (status, film) {
-                value["checks"][k]["failure"]["picture"] = failure.picture(film).into();
-            }
-        }
-        value
     }
 
     fn json_of(&self, check: Check, status: &Status, words: &Words) -> Value {

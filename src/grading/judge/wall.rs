@@ -38,3 +38,13 @@ impl Wall {
         Self::of(found.map_or(8, |(_, bit)| *bit))
     }
 }
+
+/// English.
+pub(super) fn english(wall: Wall) -> &'static str {
+    match wall {
+        Wall::Left => "left wall",
+        Wall::Right => "right wall",
+        Wall::Floor => "floor",
+        Wall::Ceiling => "ceiling",
+    }
+}

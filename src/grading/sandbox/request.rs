@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use super::tier::Tier;
+use crate::table::table;
 
 /// How a sandbox is to be opened.
 #[derive(Debug, Clone, Default)]
@@ -45,48 +46,33 @@ pub struct Invocation {
     pub rows: Option<usize>,
 }
 
-/// How much of everything a submission may have.
-#[derive(Debug, Clone)]
-pub struct Limits {
-    /// Wall time of the build.
-    pub build_wall: Duration,
-    /// Wall time of a run.
-    pub run_wall: Duration,
-    /// Processor time of each process, seconds.
-    pub cpu: u64,
-    /// All files handed in together, bytes.
-    pub copy: u64,
-    /// Length of any file that the build writes, and of all it writes together, bytes.
-    pub build_files: u64,
-    /// Length of any file that a run writes, and of all it writes together, bytes.
-    pub run_files: u64,
-    /// Resident memory of all processes together, bytes.
-    pub memory: u64,
-    /// Address space of each process, bytes; `None` for sanitizers, which reserve terabytes.
-    pub address_space: Option<u64>,
-    /// Processes and threads at a time.
-    pub processes: usize,
-    /// Kept of what is printed, bytes; the middle is left out.
-    pub log: usize,
-    /// All frames kept together, bytes.
-    pub captured: usize,
-}
+const MIB: u64 = 1 << 20;
 
-impl Default for Limits {
-    fn default() -> Self {
-        const MIB: u64 = 1 << 20;
-        Self {
-            build_wall: Duration::from_secs(60),
-            run_wall: Duration::from_secs(20),
-            cpu: 120,
-            copy: 64 * MIB,
-            build_files: 256 * MIB,
-            run_files: 64 * MIB,
-            memory: 2048 * MIB,
-            address_space: Some(16 * 1024 * MIB),
-            processes: 64,
-            log: 64 << 10,
-            captured: 64 << 20,
-        }
+table! {
+    /// How much of everything a submission may have.
+    #[derive(Debug, Clone)]
+    pub struct Limits, Default {
+        /// Wall time of the build.
+        build_wall: Duration = Duration::from_secs(60);
+        /// Wall time of a run.
+        run_wall: Duration = Duration::from_secs(20);
+        /// Processor time of each process, seconds.
+        cpu: u64 = 120;
+        /// All files handed in together, bytes.
+        copy: u64 = 64 * MIB;
+        /// Length of any file that the build writes, and of all it writes together, bytes.
+        build_files: u64 = 256 * MIB;
+        /// Length of any file that a run writes, and of all it writes together, bytes.
+        run_files: u64 = 64 * MIB;
+        /// Resident memory of all processes together, bytes.
+        memory: u64 = 2048 * MIB;
+        /// Address space of each process, bytes; `None` for sanitizers, which reserve terabytes.
+        address_space: Option<u64> = Some(16 * 1024 * MIB);
+        /// Processes and threads at a time.
+        processes: usize = 64;
+        /// Kept of what is printed, bytes; the middle is left out.
+        log: usize = 64 << 10;
+        /// All frames kept together, bytes.
+        captured: usize = 64 << 20;
     }
 }

@@ -5,31 +5,20 @@ use std::fmt;
 use serde::Serialize;
 use thiserror::Error;
 
-/// How well a submission is shut in, best first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-pub enum Tier {
-    /// bubblewrap: its own file system, processes and (absent) network.
-    A,
-    /// Started by root: a uid that nobody uses, Landlock, seccomp and limits.
-    B,
-    /// Not started by root: Landlock, seccomp and limits, under the caller's uid.
-    C,
-    /// Limits only (and seccomp where there is one), under the caller's uid; files are not protected.
-    D,
-}
+use crate::named::named;
 
-impl Tier {
-    /// All tiers, best first.
-    pub const ALL: [Self; 4] = [Self::A, Self::B, Self::C, Self::D];
-
-    /// What protects the machine in this tier, in a few words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::A => "bubblewrap, seccomp and limits",
-            Self::B => "a uid of its own, Landlock, seccomp and limits",
-            Self::C => "Landlock, seccomp and limits",
-            Self::D => "limits only: not a sandbox",
-        }
+named! {
+    /// How well a submission is shut in, best first.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+    pub enum Tier, words {
+        /// bubblewrap: its own file system, processes and (absent) network.
+        A = "bubblewrap, seccomp and limits",
+        /// Started by root: a uid that nobody uses, Landlock, seccomp and limits.
+        B = "a uid of its own, Landlock, seccomp and limits",
+        /// Not started by root: Landlock, seccomp and limits, under the caller's uid.
+        C = "Landlock, seccomp and limits",
+        /// Limits only (and seccomp where there is one), under the caller's uid; files are not protected.
+        D = "limits only: not a sandbox",
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use super::described::{Described, Expected};
 use crate::grading::judge::check::Check;
+use crate::grading::judge::mistake::Mistake;
 use crate::grading::judge::verdict::{Report, Status};
 
 /// One described submission, graded.
@@ -17,7 +18,7 @@ pub struct Comparison {
     /// What was expected.
     pub expected: Expected,
     /// Checks that failed, with the mistake named.
-    pub failed: Vec<(Check, Option<String>)>,
+    pub failed: Vec<(Check, Option<&'static str>)>,
     /// Earned of what was decided, per cent.
     pub percent: f64,
     /// Checks that were not decided for want of material.
@@ -33,8 +34,7 @@ impl Comparison {
                 .to_string_lossy()
                 .into_owned()
         };
-        let failed =
-            report.failures().map(|(check, why)| (check, why.cause.map(|cause| cause.id())));
+        let failed = report.failures().map(|(check, why)| (check, why.cause.map(Mistake::id)));
         let not_seen = report.checks.iter().filter(|(_, status)| *status == Status::NotSeen);
         Self {
             name: part(Some(&described.path)),
@@ -56,19 +56,14 @@ impl Comparison {
         for (failed, named) in &self.failed {
             let is_expected = check.as_deref() == Some(failed.id());
             if !is_expected && !also.iter().any(|other| other == failed.id()) {
-                surprises.push(format!(
-                    "{} failed ({})",
-                    failed.id(),
-                    named.as_deref().unwrap_or("-")
-                ));
+                surprises.push(format!("{} failed ({})", failed.id(), named.unwrap_or("-")));
             }
         }
         let Some(check) = check else { return surprises };
         match self.failed.iter().find(|(failed, _)| failed.id() == check) {
             None => surprises.push(format!("{check} did not fail")),
-            Some((_, named)) if cause.is_some() && named != cause => {
-                let (named, wanted) =
-                    (named.as_deref().unwrap_or("nothing"), cause.as_deref().unwrap_or("-"));
+            Some((_, named)) if cause.is_some() && *named != cause.as_deref() => {
+                let (named, wanted) = (named.unwrap_or("nothing"), cause.as_deref().unwrap_or("-"));
                 surprises.push(format!("{check} named {named} where {wanted} is the mistake"));
             }
             Some(_) => {}
@@ -94,9 +89,7 @@ pub fn matrix(comparisons: &[Comparison]) -> String {
             *named.entry("(full marks)".to_owned()).or_default() += 1;
         }
         for (check, cause) in &comparison.failed {
-            *named
-                .entry(format!("{}: {}", check.id(), cause.as_deref().unwrap_or("-")))
-                .or_default() += 1;
+            *named.entry(format!("{}: {}", check.id(), cause.unwrap_or("-"))).or_default() += 1;
         }
     }
     let mut text = "| made | submissions | as expected | what the grader says, how often |\n\

@@ -23,22 +23,16 @@ pub struct Described {
     /// The submission it is made from, relative to the folder above the folder above.
     pub base: Option<String>,
     /// Files that the course asks for.
-    #[serde(default = "usual_files")]
     pub files: Vec<PathBuf>,
     /// Command that builds; empty: nothing to build.
-    #[serde(default = "usual_build")]
     pub build: String,
     /// Command that runs.
-    #[serde(default = "usual_run")]
     pub run: String,
     /// Its arguments: `{n}`, `{seed}` and `{frames}` stand for numbers.
-    #[serde(default = "usual_arguments")]
     pub arguments: Vec<String>,
     /// Number of discs.
-    #[serde(default = "usual_n")]
     pub n: usize,
     /// Number of frames; 0: for ever.
-    #[serde(default = "usual_frames")]
     pub frames: usize,
     /// How frames are written: `overwrite`, `append` or `rename`.
     #[serde(default)]
@@ -129,29 +123,15 @@ pub struct Expected {
     pub also: Vec<String>,
 }
 
-fn usual_files() -> Vec<PathBuf> {
-    ["Makefile", "particle.h", "particle.cpp", "simulation.cpp"].map(PathBuf::from).into()
-}
-
-fn usual_build() -> String {
-    "make".to_owned()
-}
-
-fn usual_run() -> String {
-    "./parSim2D".to_owned()
-}
-
-fn usual_arguments() -> Vec<String> {
-    ["{n}", "{seed}", "{frames}"].map(str::to_owned).into()
-}
-
-fn usual_n() -> usize {
-    20
-}
-
-fn usual_frames() -> usize {
-    400
-}
+/// What is so where neither a description nor a base of it says another.
+const USUAL: &str = r#"
+files = ["Makefile", "particle.h", "particle.cpp", "simulation.cpp"]
+build = "make"
+run = "./parSim2D"
+arguments = ["{n}", "{seed}", "{frames}"]
+n = 20
+frames = 400
+"#;
 
 /// Bases upon bases, at most: more are a circle.
 const MOST_BASES: usize = 8;
@@ -175,6 +155,7 @@ impl Described {
             inherit(&mut table, below);
         }
         let refused = |why: toml::de::Error| ValidationError::description(&path, why.to_string());
+        inherit(&mut table, USUAL.parse().map_err(refused)?);
         let described: Self = Value::Table(table).try_into().map_err(refused)?;
         Ok(Self { path: folder.to_owned(), bases, ..described })
     }

@@ -1,15 +1,18 @@
 //! The formats of files with discs, told by how they begin.
 
+use clap::ValueEnum;
+
 /// A format that can be read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// Rows of numbers: our frames, those of the guide, Poeschel and Schwager's, CSV.
+    /// Rows of numbers: frames, CSV, tables with headings
+    #[value(name = "frames", alias = "csv")]
     Table,
-    /// XYZ and extended XYZ.
+    /// XYZ and extended XYZ
     Xyz,
-    /// A LAMMPS dump.
+    /// LAMMPS dump
     LammpsDump,
-    /// A LAMMPS data file.
+    /// LAMMPS data file
     LammpsData,
 }
 

@@ -3,21 +3,23 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use clap::ValueEnum;
+
 use super::column::Column;
 use super::frame::Frame;
 use super::lammps::dump;
 use super::{csv, text, xyz};
 
 /// A format that can be written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Target {
-    /// Frames as runs write them.
+    /// Frames, as runs write them
     Frames,
-    /// One table with a first line of names.
+    /// One table
     Csv,
-    /// Extended XYZ.
+    /// Extended XYZ
     Xyz,
-    /// A LAMMPS dump.
+    /// LAMMPS dump
     LammpsDump,
 }
 

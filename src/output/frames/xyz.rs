@@ -84,9 +84,8 @@ impl Xyz {
     ) -> Result<Layout, String> {
         let first = rows.first().map_or("", String::as_str);
         let n = first.split_whitespace().count();
-        if let Ok(named) = Layout::named(remark.trim_start_matches('#').split_whitespace())
-            && named.columns().len() == n
-        {
+        let named = Layout::named(remark.trim_start_matches('#').split_whitespace());
+        if let Some(named) = named.ok().filter(|named| named.columns().len() == n) {
             return named.with_radius(self.radius, "its second line");
         }
         let is_number = |word: &str| word.parse::<f64>().is_ok();

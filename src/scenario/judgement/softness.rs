@@ -1,8 +1,8 @@
 //! Soft discs: how deep they sink, and which radius or stiffness would do.
 
 use super::SOFT;
+use crate::number::{at_most, rounded_up, shortest};
 use crate::scenario::finding::{Finding, Matter, Verdict};
-use crate::scenario::number::{Num, round_up};
 use crate::scenario::{DiscSource, Scenario};
 
 /// Overlap, in radii, that the cure for soft discs aims at.
@@ -15,7 +15,7 @@ impl Scenario {
             return None;
         }
         let falls = self.walls && self.fall_speed() >= self.fastest_start();
-        let speed = Num::rounded(self.expected_speed());
+        let speed = at_most(self.expected_speed(), 3);
         let cause = match (falls, self.walls) {
             (true, _) => "a fall through the box".to_owned(),
             (_, true) => format!("a wall met at {speed} m/s"),
@@ -23,14 +23,14 @@ impl Scenario {
         };
         let depth = match overlap < 1e3 {
             true => format!("{overlap:.2}"),
-            false => Num::rounded(overlap).to_string(),
+            false => at_most(overlap, 3),
         };
         // The guide's own discs are soft: a parameter that makes them twice as soft is at fault too.
         let is_well = |mended: &Self| mended.expected_overlap() <= SOFT.max(0.5 * overlap);
         let suspect = self.at_fault(is_well);
         let (fault, value) = match suspect {
             Some(suspect) => (suspect.name, suspect.value),
-            None => ("--kn".to_owned(), Num(self.stiffness).to_string()),
+            None => ("--kn".to_owned(), shortest(self.stiffness)),
         };
         Some(Finding {
             matter: Matter::Softness,
@@ -46,17 +46,17 @@ impl Scenario {
     /// many discs of it fit, and a stiffness that suits what was measured.
     pub fn cure_for_softness(&self, overlap: f64) -> Vec<String> {
         let kn = self.firm_stiffness(overlap);
-        let radius = one_digit_up(self.radius * self.expected_overlap() / FIRM);
+        let radius = rounded_up(self.radius * self.expected_overlap() / FIRM, 1);
         let area = std::f64::consts::PI * radius * radius * self.n() as f64;
         let fits = area < 0.5 * self.side * self.side;
         let stays_stable = Self { stiffness: kn, ..self.clone() }.is_stable();
         let is_equal = matches!(self.discs, DiscSource::Equal(_));
         let mut cures = Vec::new();
         if is_equal && fits && radius > self.radius {
-            cures.push(format!("--radius {}", Num(radius)));
+            cures.push(format!("--radius {}", shortest(radius)));
         }
         let with_step = if stays_stable { "" } else { " with --dt auto" };
-        cures.push(format!("--kn {}{with_step}", Num(kn)));
+        cures.push(format!("--kn {}{with_step}", shortest(kn)));
         cures
     }
 
@@ -73,12 +73,6 @@ impl Scenario {
             let middle = (soft * firm).sqrt();
             if with(middle).expected_overlap() > wanted { soft = middle } else { firm = middle }
         }
-        round_up(firm / 1.03)
+        rounded_up(firm, 2)
     }
-}
-
-/// `value` rounded up to one digit.
-fn one_digit_up(value: f64) -> f64 {
-    let digit = 10f64.powi(value.log10().floor() as i32);
-    format!("{:.0e}", (value / digit).ceil() * digit).parse().unwrap_or(value)
 }

@@ -3,9 +3,9 @@
 use super::{FEWEST_STEPS, LONG_STRIDE};
 use crate::analysis::collision::angular_frequency;
 use crate::analysis::stability::{COARSE, explicit_euler_gain};
+use crate::number::{at_most, safely_above, shortest, time_step};
 use crate::scenario::expected::ExpectedContact;
 use crate::scenario::finding::{Finding, Matter, Verdict};
-use crate::scenario::number::{Num, round_up};
 use crate::scenario::settings::IntegratorName;
 use crate::scenario::{DiscSource, Scenario, StepChoice};
 
@@ -45,7 +45,8 @@ impl Scenario {
             };
             let by = limit.by;
             format!(
-                "large step: dt = {dt:.3e} s is {fraction:.2} of the largest stable step for {by}; {harm}"
+                "large step: dt = {} is {fraction:.2} of the largest stable step for {by}; {harm}",
+                time_step(dt)
             )
         } else if shortest.steps < FEWEST_STEPS {
             let steps = shortest.steps;
@@ -55,8 +56,9 @@ impl Scenario {
             )
         } else if fraction < NEEDLESS {
             format!(
-                "needlessly small step: dt = {dt:.3e} s is {fraction:.1e} of the largest stable step \
+                "needlessly small step: dt = {} is {fraction:.1e} of the largest stable step \
                  for {}; the run takes {:.1e} steps",
+                time_step(dt),
                 limit.by,
                 self.time / dt
             )
@@ -68,10 +70,11 @@ impl Scenario {
     fn unstable_step(&self) -> Finding {
         let (dt, limit) = (self.dt(), self.limit());
         let what = format!(
-            "dt = {dt:.3e} s is {} times the largest stable step for {}, {:.3e} s{}",
-            Num::rounded(dt / limit.dt),
+            "dt = {} is {} times the largest stable step for {}, {}{}",
+            time_step(dt),
+            at_most(dt / limit.dt, 3),
             limit.by,
-            limit.dt,
+            time_step(limit.dt),
             self.lightest_disc()
         );
         // Just below the limit an elastic heap heats up; an overdamped one, which never lets go
@@ -86,7 +89,7 @@ impl Scenario {
 
     /// The N_t of a time step that is this fraction of the limit, as a number to type.
     fn nt_for(&self, fraction: f64) -> f64 {
-        round_up(self.with_step(StepChoice::Nt(1.0)).dt() / (fraction * self.limit().dt))
+        safely_above(self.with_step(StepChoice::Nt(1.0)).dt() / (fraction * self.limit().dt))
     }
 
     /// Who sets the limit where discs differ.
@@ -105,7 +108,7 @@ impl Scenario {
             None => format!("disc {k}"),
             Some(group) => format!("population {group}"),
         };
-        format!(" (the lightest discs rule: {who}, {} kg)", Num(lightest))
+        format!(" (the lightest discs rule: {who}, {} kg)", shortest(lightest))
     }
 
     fn shortest_contact(&self) -> ExpectedContact {
@@ -117,8 +120,8 @@ impl Scenario {
         if self.n() < 2 || travel <= LONG_STRIDE {
             return None; // a wall is a half-plane: nothing passes it
         }
-        let speed = Num::rounded(self.expected_speed());
-        let travelled = Num::rounded(travel);
+        let speed = at_most(self.expected_speed(), 3);
+        let travelled = at_most(travel, 3);
         let (verdict, harm) = match travel > 1.0 {
             true => (Verdict::Unstable, "discs can cross each other between two steps"),
             false => (Verdict::Coarse, "contacts begin late"),
@@ -136,7 +139,7 @@ impl Scenario {
     /// The N_t at which a disc moves no farther than [`LONG_STRIDE`] in a step, as a number to type.
     fn nt_for_stride(&self) -> f64 {
         let travel = self.with_step(StepChoice::Nt(1.0)).expected_travel();
-        if self.n() < 2 || travel <= 0.0 { 0.0 } else { round_up(travel / LONG_STRIDE) }
+        if self.n() < 2 || travel <= 0.0 { 0.0 } else { safely_above(travel / LONG_STRIDE) }
     }
 
     /// Whether discs can cross each other between two steps.

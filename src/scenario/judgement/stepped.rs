@@ -6,11 +6,11 @@
 use glam::DVec2;
 
 use crate::force::HalfPlane;
+use crate::number::{at_most, safely_above, shortest};
 use crate::particle::Particle;
 use crate::scenario::Scenario;
 use crate::scenario::expected::ExpectedContact;
 use crate::scenario::finding::{Finding, Matter, Verdict};
-use crate::scenario::number::{Num, round_up};
 use crate::scenario::settings::IntegratorName;
 use crate::scenario::{StepChoice, suspects::Suspect};
 use crate::simulation::Simulation;
@@ -95,8 +95,8 @@ impl Scenario {
         let Suspect { name, value, .. } = self.step_suspect();
         let what = format!(
             "restitution is missed: at this step a contact {whose} has e = {}, not {} ({:+.0} %)",
-            Num::rounded(contact.restitution * (1.0 + missed)),
-            Num::rounded(contact.restitution),
+            at_most(contact.restitution * (1.0 + missed), 3),
+            at_most(contact.restitution, 3),
             100.0 * missed
         );
         Some(Finding {
@@ -112,13 +112,13 @@ impl Scenario {
     /// The N_t that gives the restitution meant, found by trying.
     fn nt_for_restitution(&self, missed: f64) -> Option<String> {
         let now = self.with_step(StepChoice::Nt(1.0)).dt() / self.dt();
-        let mut nt = round_up(now * missed.abs() / MISSED); // the error goes like dt
+        let mut nt = safely_above(now * missed.abs() / MISSED); // the error goes like dt
         for _ in 0..20 {
             let finer = self.with_step(StepChoice::Nt(nt));
             if finer.keeps_restitution() && finer.is_runnable() {
-                return Some(self.in_place_of_dt(format!("--nt {}", Num(nt))));
+                return Some(self.in_place_of_dt(format!("--nt {}", shortest(nt))));
             }
-            nt = round_up(1.2 * nt);
+            nt = safely_above(1.2 * nt);
         }
         None
     }

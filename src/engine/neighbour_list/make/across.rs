@@ -8,28 +8,28 @@ impl NeighbourList {
     /// Lists the discs that may reach a periodic edge before the list is renewed, and adds the pairs that are near across
     /// it to the far ones: they act on each other's images.
     pub(super) fn list_across(&mut self, listed: Listed, skin: f64) {
-        let Listed { particles, boundary, .. } = listed;
+        let Listed { discs, boundary, .. } = listed;
         self.at_edge.clear();
         if boundary.is_open() {
             return;
         }
-        let largest = particles.iter().map(|p| p.radius).fold(0.0, f64::max);
+        let largest = discs.radii.iter().copied().fold(0.0, f64::max);
         let reach = 2.0 * largest + skin;
-        let places = (0..particles.len() as u32)
-            .filter(|&k| boundary.is_at_edge(particles[k as usize].position, reach));
-        let mut by_height: Vec<u32> = places.collect();
-        let at = |place: u32| &particles[place as usize];
-        by_height.sort_unstable_by(|&a, &b| {
-            at(a).position.y.total_cmp(&at(b).position.y).then(a.cmp(&b))
-        });
+        let position = |place: u32| discs.phases[place as usize].position();
+        let radius = |place: u32| discs.radii[place as usize];
+        let places = 0..discs.count() as u32;
+        let is_there = |reach: f64| move |k: &u32| boundary.is_at_edge(position(*k), reach);
+        let mut by_height: Vec<u32> = places.clone().filter(is_there(reach)).collect();
+        by_height
+            .sort_unstable_by(|&a, &b| position(a).y.total_cmp(&position(b).y).then(a.cmp(&b)));
         for &a in &by_height {
             for image in images(boundary.period) {
-                let p = at(a).position + image;
-                let from = by_height.partition_point(|&b| at(b).position.y < p.y - reach);
+                let p = position(a) + image;
+                let from = by_height.partition_point(|&b| position(b).y < p.y - reach);
                 let there = by_height[from..].iter();
-                for &b in there.take_while(|&&b| at(b).position.y <= p.y + reach) {
-                    let near = at(a).radius + at(b).radius + skin;
-                    if a < b && at(b).position.distance_squared(p) < near * near {
+                for &b in there.take_while(|&&b| position(b).y <= p.y + reach) {
+                    let near = radius(a) + radius(b) + skin;
+                    if a < b && position(b).distance_squared(p) < near * near {
                         self.far.push([a, b]);
                     }
                 }
@@ -37,8 +37,7 @@ impl NeighbourList {
         }
         self.far.sort_unstable();
         self.far.dedup(); // a box that is hardly wider than two discs
-        let is_there = |k: &u32| boundary.is_at_edge(at(*k).position, skin);
-        self.at_edge.extend((0..particles.len() as u32).filter(is_there));
+        self.at_edge.extend(places.filter(is_there(skin)));
     }
 }
 

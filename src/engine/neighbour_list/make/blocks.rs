@@ -13,6 +13,9 @@ use crate::engine::workers::Workers;
 /// that pairs do not lie in memory twice.
 const BLOCKS_AT_A_TIME: usize = 64;
 
+/// Blocks from that of the first disc of a pair to that of the second, both counted, at most.
+const BLOCKS_REACHED: usize = (SPAN as usize).div_ceil(BLOCK) + 1;
+
 /// What one thread has found about some blocks that follow each other.
 #[derive(Default)]
 struct Found {
@@ -35,26 +38,28 @@ impl Found {
     /// Takes the `pairs` of a block in: which of them are far is told.
     fn take_in(&mut self, block: usize, pairs: &[[u32; 2]], is_far: impl Fn(u32, u32) -> bool) {
         let (first, start) = ((block * BLOCK) as u32, self.pairs.len());
-        let (mut seen, mut end) = (0_u128, first);
-        for &[a, b] in pairs {
-            if is_far(a, b) {
-                self.far.push([a, b]);
-                continue;
-            }
-            let pair = [a - first, b - first].map(|at| at as u16);
+        let place = |[a, b]: [u32; 2]| [(a - first) as u16, (b - first) as u16];
+        if pairs.iter().any(|&[a, b]| is_far(a, b)) {
+            let (far, near): (Vec<_>, Vec<_>) = pairs.iter().partition(|[a, b]| is_far(*a, *b));
+            self.far.extend(far);
+            self.pairs.extend(near.into_iter().map(place));
+        } else {
+            self.pairs.extend(pairs.iter().copied().map(place));
+        }
+        let (mut seen, mut end) = ([false; BLOCKS_REACHED], 0);
+        for (k, pair) in (start..).zip(&self.pairs[start..]) {
             let reached = usize::from(pair[1]) / BLOCK;
-            if seen >> reached & 1 == 0 {
-                seen |= 1 << reached;
-                let group = self.pairs.len() / GROUP * GROUP; // walks begin with a whole group
+            if !seen[reached] {
+                seen[reached] = true;
+                let group = k / GROUP * GROUP; // walks begin with a whole group
                 self.reached.push([(block + reached) as u32, group as u32]);
             }
-            self.pairs.push(pair);
-            end = end.max(b + 1);
+            end = end.max(u32::from(pair[1]) + 1);
         }
         if let Some(&last) = self.pairs[start..].last() {
             self.pairs.resize(self.pairs.len().next_multiple_of(GROUP), last);
         }
-        self.blocks.push([self.pairs.len() as u32, end]);
+        self.blocks.push([self.pairs.len() as u32, first + end]);
     }
 }
 
@@ -67,15 +72,15 @@ impl NeighbourList {
         levels: &[Level],
         workers: &Workers,
     ) {
-        let blocks = search.particles.len().div_ceil(BLOCK);
+        let blocks = search.discs.count().div_ceil(BLOCK);
         let sorted = match levels {
             [level] if level.is_as_stored() => None,
             _ => Some(search.find_all(levels, workers)),
         };
         let find = |block: usize, pairs: &mut Vec<[u32; 2]>| {
-            let places = block * BLOCK..((block + 1) * BLOCK).min(search.particles.len());
+            let places = block * BLOCK..((block + 1) * BLOCK).min(search.discs.count());
             match &sorted {
-                None => search.find(levels, places, pairs),
+                None => search.find(levels, 0, places, pairs),
                 Some(sorted) => {
                     pairs.clear();
                     pairs.extend_from_slice(of_places(sorted, &places));
@@ -87,12 +92,10 @@ impl NeighbourList {
         while self.ring_length > LONGEST_RING {
             self.span /= 2;
             let span = self.span;
-            let at_edge = |place: u32| {
-                let position = search.particles[place as usize].position;
-                boundary.is_at_edge(position, search.skin)
-            };
-            let is_far =
-                |a: u32, b: u32| b - a > span || !boundary.is_open() && (at_edge(a) || at_edge(b));
+            let at_edge =
+                |place: u32| boundary.is_at_edge(search.discs.at(place as usize).0, search.skin);
+            let is_open = boundary.is_open();
+            let is_far = |a: u32, b: u32| b - a > span || !is_open && (at_edge(a) || at_edge(b));
             self.list_blocks(blocks, find, is_far, workers);
             let ends = self.first_pair.iter().skip(1).zip(&self.reaches_back_to);
             let longest = ends.map(|(end, from)| end - from).max().unwrap_or(0);

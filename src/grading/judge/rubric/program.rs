@@ -2,76 +2,57 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How submissions become programs, and programs frames. Commands are split into words as a shell does it,
-/// but no shell runs them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Program {
-    /// Files that are to be handed in.
-    pub files: Vec<String>,
-    /// Command that builds; empty: nothing to build.
-    pub build: String,
-    /// Command that runs.
-    pub run: String,
-    /// Its arguments; `{n}`, `{seed}` and `{frames}` stand for numbers.
-    pub arguments: Vec<String>,
-    /// What it reads on its standard input; the same stand for numbers.
-    pub stdin: String,
-    /// Number of discs it is asked for, where it can be asked.
-    pub n: usize,
-    /// Seed it is asked for, where it can be asked.
-    pub seed: u64,
-    /// Frames that are enough.
-    pub frames: usize,
-    /// Fewer whole frames than this, in the time there is, are too few.
-    pub frames_at_least: usize,
-    /// Rows after the discs of a frame that are no discs.
-    pub extra_rows: usize,
-    /// Discs of the crowded box; 0: it is not asked for.
-    pub many: usize,
-    /// Frames of it.
-    pub many_frames: usize,
-    /// Commands that build with warnings (`-Wextra` among their words), of which the first that works counts;
-    /// `{sources}` stands for the files in C and C++. None: warnings are looked for in what `build` prints.
-    pub warnings: Vec<String>,
-    /// Commands that build with sanitizers, of which the first that works counts. None: they are not asked for.
-    pub sanitizer: Vec<String>,
-    /// Wall time of a build, s.
-    pub build_seconds: f64,
-    /// Wall time of a run, s.
-    pub run_seconds: f64,
-    /// Wall time of the run of many, s.
-    pub many_seconds: f64,
-}
+use crate::table::table;
 
-impl Default for Program {
-    fn default() -> Self {
-        let files = ["Makefile", "particle.h", "particle.cpp", "simulation.cpp"];
-        Self {
-            files: files.map(str::to_owned).into(),
-            build: "make".to_owned(),
-            run: "./parSim2D".to_owned(),
-            arguments: Vec::new(),
-            stdin: String::new(),
-            n: 20,
-            seed: 1,
-            frames: 400,
-            frames_at_least: 20,
-            extra_rows: 0,
-            many: 1000,
-            many_frames: 12,
-            warnings: vec![
-                "make 'CXXFLAGS=-O2 -Wall -Wextra'".to_owned(),
-                "g++ -O2 -Wall -Wextra -c {sources}".to_owned(),
-            ],
-            sanitizer: vec![
-                "make 'CXXFLAGS=-O1 -g -fsanitize=address,undefined'".to_owned(),
-                "g++ -O1 -g -fsanitize=address,undefined -o parSim2D {sources}".to_owned(),
-            ],
-            build_seconds: 60.0,
-            run_seconds: 20.0,
-            many_seconds: 60.0,
-        }
+table! {
+    /// How submissions become programs, and programs frames. Commands are split into words as a shell does it,
+    /// but no shell runs them.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields, default)]
+    pub struct Program, Default {
+        /// Files that are to be handed in.
+        files: Vec<String> = ["Makefile", "particle.h", "particle.cpp", "simulation.cpp"]
+            .map(str::to_owned)
+            .into();
+        /// Command that builds; empty: nothing to build.
+        build: String = "make".to_owned();
+        /// Command that runs.
+        run: String = "./parSim2D".to_owned();
+        /// Its arguments; `{n}`, `{seed}` and `{frames}` stand for numbers.
+        arguments: Vec<String> = Vec::new();
+        /// What it reads on its standard input; the same stand for numbers.
+        stdin: String = String::new();
+        /// Number of discs it is asked for, where it can be asked.
+        n: usize = 20;
+        /// Seed it is asked for, where it can be asked.
+        seed: u64 = 1;
+        /// Frames that are enough.
+        frames: usize = 400;
+        /// Fewer whole frames than this, in the time there is, are too few.
+        frames_at_least: usize = 20;
+        /// Rows after the discs of a frame that are no discs.
+        extra_rows: usize = 0;
+        /// Discs of the crowded box; 0: it is not asked for.
+        many: usize = 1000;
+        /// Frames of it.
+        many_frames: usize = 12;
+        /// Commands that build with warnings (`-Wextra` among their words), of which the first that works counts;
+        /// `{sources}` stands for the files in C and C++. None: warnings are looked for in what `build` prints.
+        warnings: Vec<String> = vec![
+            "make 'CXXFLAGS=-O2 -Wall -Wextra'".to_owned(),
+            "g++ -O2 -Wall -Wextra -c {sources}".to_owned(),
+        ];
+        /// Commands that build with sanitizers, of which the first that works counts. None: they are not asked for.
+        sanitizer: Vec<String> = vec![
+            "make 'CXXFLAGS=-O1 -g -fsanitize=address,undefined'".to_owned(),
+            "g++ -O1 -g -fsanitize=address,undefined -o parSim2D {sources}".to_owned(),
+        ];
+        /// Wall time of a build, s.
+        build_seconds: f64 = 60.0;
+        /// Wall time of a run, s.
+        run_seconds: f64 = 20.0;
+        /// Wall time of the run of many, s.
+        many_seconds: f64 = 60.0;
     }
 }
 
