@@ -36,7 +36,7 @@ hash-matrix: $(EXEC)    # same bits on 1 to 8 threads, for dev and release build
 	sh tests/hash_matrix.sh $(TARGET)/debug/parsim2d ./$(EXEC)
 
 kill-test:              # 200 kills with SIGKILL at random moments; each run must end with the same bytes
-	PARSIM2D_KILLS=200 $(CARGO) test --test all restart::killed -- --nocapture
+	PARSIM2D_KILLS=200 $(CARGO) test --test all restart::runs_killed -- --nocapture
 
 corruption-test:        # 10,000 damaged checkpoints, none may be accepted
 	PARSIM2D_CORRUPTIONS=10000 $(CARGO) test --test all checkpoint_file:: -- --nocapture

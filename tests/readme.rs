@@ -13,6 +13,22 @@ fn readme() -> String {
 }
 
 #[test]
+fn every_test_that_the_makefile_asks_for_by_name_is_there() {
+    let makefile = std::fs::read_to_string(root().join("Makefile")).unwrap();
+    let asked = makefile.split("--test all ").skip(1).map(|rest| rest.split(' ').next().unwrap());
+    let asked: Vec<_> = asked.map(|name| name.split_once("::").unwrap()).collect();
+    assert!(asked.len() >= 3, "{asked:?}");
+    for (file, name) in asked {
+        let path = root().join(format!("tests/{file}.rs"));
+        let tests = std::fs::read_to_string(path).unwrap();
+        assert!(
+            tests.contains(&format!("fn {name}")),
+            "no test of tests/{file}.rs begins so: {name}"
+        );
+    }
+}
+
+#[test]
 fn every_link_of_the_documents_leads_to_a_file() {
     let mut seen = 0;
     for name in ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"] {

@@ -1,6 +1,6 @@
 //! Runs that are killed, interrupted or prolonged end with the bytes of a run that never was.
 //!
-//! `PARSIM2D_KILLS=200 cargo test --test all restart::killed` kills as often as that; `make kill-test` does.
+//! `PARSIM2D_KILLS=200 cargo test --test all restart::runs_killed` kills as often as that; `make kill-test` does.
 #![cfg(unix)] // signals
 
 use crate::support::runs;
