@@ -5,6 +5,8 @@ mod books;
 pub mod columns;
 pub mod overlaps;
 
+use std::any::Any;
+
 use glam::DVec2;
 
 use self::columns::{Columns, ColumnsView};
@@ -26,6 +28,10 @@ pub trait Discs: Motion + Send {
     fn end_step(&mut self, _dt: f64) {}
     /// From now on a step takes `dt` s.
     fn set_dt(&mut self, _dt: f64) {}
+    /// From now on discs fall by `gravity`, m/s2; books the energy that gives.
+    fn set_gravity(&mut self, gravity: DVec2);
+    /// Takes the law of contacts out of `law`, an `Option`, if it is of the type of the present one; books the energy that gives.
+    fn set_law(&mut self, law: &mut dyn Any);
     /// All discs, in id order.
     fn particles(&self) -> &[Particle];
     /// The disc of this id.

@@ -4,6 +4,7 @@
 //! m a = m g + sum f_c ([`PlainDiscs::update_forces`](Motion::update_forces)); and [`Simulation::step`]. From there it is
 //! three calls to Eq. (1): the integrator's `step`, `update_forces`, and the law's `push`.
 
+mod changes;
 mod clock;
 mod fingerprint;
 mod plain;

@@ -1,5 +1,7 @@
 //! The engine as a simulation sees it: discs in id order, with their books.
 
+use std::any::Any;
+
 use glam::DVec2;
 
 use super::moment::Moment;
@@ -52,6 +54,17 @@ impl<I: Interaction> Discs for Engine<I> {
         self.dt = dt;
     }
 
+    fn set_gravity(&mut self, gravity: DVec2) {
+        self.give(|engine| {
+            let before = std::mem::replace(&mut engine.gravity, gravity + DVec2::ZERO); // no -0.0, as at first
+            before != gravity
+        });
+    }
+
+    fn set_law(&mut self, law: &mut dyn Any) {
+        self.give(|engine| engine.interaction.take_law(law));
+    }
+
     fn has_ledger(&self) -> bool {
         !self.columns.springs.is_empty()
     }
@@ -96,15 +109,13 @@ impl<I: Interaction> Discs for Engine<I> {
     }
 
     fn add_force(&mut self, force: Box<dyn Force>) -> Option<Box<dyn Discs>> {
-        let potential = self.potential_energy();
-        self.added.forces.push(force);
-        if !self.has_ledger() {
-            self.columns.springs = vec![DVec2::ZERO; self.phases.len()]; // so that what it supplies is known
-        }
-        self.update_forces();
-        self.settle();
-        let brought = self.potential_energy() - potential;
-        self.columns.works[Channel::Hand].beside.add(brought);
+        self.give(|engine| {
+            engine.added.forces.push(force);
+            if !engine.has_ledger() {
+                engine.columns.springs = vec![DVec2::ZERO; engine.phases.len()]; // so that what it supplies is known
+            }
+            true
+        });
         None
     }
 
@@ -172,6 +183,20 @@ impl<I: Interaction> Discs for Engine<I> {
 }
 
 impl<I: Interaction> Engine<I> {
+    /// Has `change` alter what pushes the discs, and books the energy that they have by it as given by hand; nothing if it says
+    /// that it did not.
+    fn give(&mut self, change: impl FnOnce(&mut Self) -> bool) {
+        self.settle();
+        let potential = self.potential_energy();
+        if !change(self) {
+            return;
+        }
+        self.update_forces();
+        self.settle();
+        let brought = self.potential_energy() - potential;
+        self.columns.works[Channel::Hand].beside.add(brought);
+    }
+
     /// Has `change` add or remove discs in id order, with their kinds if they have some, and books the energies that come
     /// with them. It tells the kinetic one, J, and which id is gone, if one is.
     fn change_number(

@@ -1,6 +1,8 @@
 //! What a sweep does with the near pairs of a block: the lean [walk](super::walk) for contacts, one pair at a time for every
 //! other law.
 
+use std::any::Any;
+
 use super::block_pairs::BlockPairs;
 use super::lanes::Lanes;
 use super::largest::Largest;
@@ -19,6 +21,8 @@ pub trait Interaction: Clone + Send + Sync + 'static {
     fn pairs(&self) -> &Self::Pairs;
     /// What acts at walls.
     fn at_walls(&self) -> &Self::AtWalls;
+    /// Takes another law of contacts out of `law`, an `Option`, if it is of the type of the present one, and says whether it is.
+    fn take_law(&mut self, law: &mut dyn Any) -> bool;
     #[doc(hidden)]
     #[allow(private_interfaces, private_bounds)]
     #[inline(always)]
@@ -45,6 +49,10 @@ impl<L: ContactLaw + Clone + Sync + 'static> Interaction for Contacts<L> {
 
     fn at_walls(&self) -> &L {
         &self.law
+    }
+
+    fn take_law(&mut self, law: &mut dyn Any) -> bool {
+        take(&mut self.law, law)
     }
 
     #[allow(private_interfaces, private_bounds)]
@@ -92,6 +100,15 @@ impl<P: PairLaw, L: ContactLaw + Clone + Sync + 'static> Interaction for Pairwis
     fn at_walls(&self) -> &L {
         &self.at_walls
     }
+
+    fn take_law(&mut self, law: &mut dyn Any) -> bool {
+        take(&mut self.at_walls, law)
+    }
+}
+
+fn take<L: 'static>(present: &mut L, law: &mut dyn Any) -> bool {
+    let law = law.downcast_mut::<Option<L>>().and_then(Option::take);
+    law.map(|law| *present = law).is_some()
 }
 
 /// The forces of a pair, the one of lower id first, with what it remembers brought up to date.

@@ -1,5 +1,7 @@
 //! The plain way to step discs, as a simulation sees it.
 
+use std::any::Any;
+
 use glam::DVec2;
 
 use super::PlainDiscs;
@@ -11,7 +13,15 @@ use crate::neighbours::Neighbours;
 use crate::particle::{ContactLaw, Particle};
 use crate::work::{self, Channel, Share, Works};
 
-impl<L: ContactLaw> PlainDiscs<L> {
+impl<L> PlainDiscs<L> {
+    /// Kicks by `dt` (s), and books the work of each force beside it.
+    pub(super) fn kick_and_book(&mut self, dt: f64) {
+        let Self { particles, gravity, forces, books, .. } = self;
+        books.works.kick(particles, &books.shares, *gravity, !forces.is_empty(), dt);
+    }
+}
+
+impl<L: ContactLaw + 'static> PlainDiscs<L> {
     /// Discs under `gravity` (m/s2) that touch each other and the `walls` by `law`.
     pub fn new(particles: Vec<Particle>, gravity: DVec2, law: L, walls: Vec<HalfPlane>) -> Self {
         Self::continued(particles, gravity, law, walls, Columns::default())
@@ -32,12 +42,6 @@ impl<L: ContactLaw> PlainDiscs<L> {
         discs
     }
 
-    /// Kicks by `dt` (s), and books the work of each force beside it.
-    pub(super) fn kick_and_book(&mut self, dt: f64) {
-        let Self { particles, gravity, forces, books, .. } = self;
-        books.works.kick(particles, &books.shares, *gravity, !forces.is_empty(), dt);
-    }
-
     /// Has `change` add or remove discs; books the energies that come with them, of which it tells the kinetic one, J.
     fn change_number(&mut self, change: impl FnOnce(&mut Vec<Particle>) -> f64) {
         let potential = self.potential_energy();
@@ -51,14 +55,17 @@ impl<L: ContactLaw> PlainDiscs<L> {
         self.books.works[Channel::Inflow].beside.add(brought);
     }
 
-    /// From now on shares are told apart, and so works are booked.
-    fn keep_shares(&mut self) {
-        self.books.shares = vec![Share::default(); self.particles.len()];
+    /// Has `change` alter what pushes the discs; books the energy that they have by it as given by hand.
+    fn give(&mut self, change: impl FnOnce(&mut Self)) {
+        let potential = self.potential_energy();
+        change(self);
         self.update_forces();
+        let brought = self.potential_energy() - potential;
+        self.books.works[Channel::Hand].beside.add(brought);
     }
 }
 
-impl<L: ContactLaw> Discs for PlainDiscs<L> {
+impl<L: ContactLaw + 'static> Discs for PlainDiscs<L> {
     fn as_motion(&mut self) -> &mut dyn Motion {
         self
     }
@@ -79,6 +86,18 @@ impl<L: ContactLaw> Discs for PlainDiscs<L> {
             -disc.kinetic_energy()
         });
         disc
+    }
+
+    fn set_gravity(&mut self, gravity: DVec2) {
+        if gravity != self.gravity {
+            self.give(|discs| discs.gravity = gravity);
+        }
+    }
+
+    fn set_law(&mut self, law: &mut dyn Any) {
+        if let Some(law) = law.downcast_mut::<Option<L>>().and_then(Option::take) {
+            self.give(|discs| discs.law = law);
+        }
     }
 
     fn end_step(&mut self, dt: f64) {
@@ -115,7 +134,8 @@ impl<L: ContactLaw> Discs for PlainDiscs<L> {
 
     fn keep_work_ledger(&mut self) {
         self.books.works = Works::default();
-        self.keep_shares();
+        self.books.shares = vec![Share::default(); self.particles.len()];
+        self.update_forces();
     }
 
     fn act(&mut self, change: &mut dyn FnMut(&mut [Particle])) {
@@ -133,11 +153,10 @@ impl<L: ContactLaw> Discs for PlainDiscs<L> {
 
     /// Its work is booked from now on, with a ledger or without, so that what it supplies is known.
     fn add_force(&mut self, force: Box<dyn Force>) -> Option<Box<dyn Discs>> {
-        let potential = self.potential_energy();
-        self.forces.push(force);
-        self.keep_shares();
-        let brought = self.potential_energy() - potential;
-        self.books.works[Channel::Hand].beside.add(brought);
+        self.give(|discs| {
+            discs.forces.push(force);
+            discs.books.shares = vec![Share::default(); discs.particles.len()];
+        });
         None
     }
 
