@@ -110,7 +110,7 @@ make_state() {
         mv "$new.shuffled" "$new"
         ;;
     gas-*) # its very first frame, velocities too
-        "$program" -n "$n" --radius 2e-5 --side "$(calculate "0.04 * sqrt($n / 1e5)")" --speed 0.3 --gravity 0 \
+        "$program" -n "$n" --radius 2e-5 --mass "$(mass_of "$1")" --side "$(calculate "0.04 * sqrt($n / 1e5)")" --speed 0.3 --gravity 0 \
             --seed 1 --time 1e-5 --energy-every 0 --json -q --out-dir "$work/settling" >/dev/null
         awk '/^$/ { exit } { print }' "$work/settling/trajectory.txt" >"$new"
         ;;

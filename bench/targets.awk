@@ -18,13 +18,18 @@ kind == "bench" && $4 == 1 {
     if ($1 == "bed-20k") small = $6
     if ($1 == "bed-1m") {
         if (small) at_most("ns a particle-step, bed of 1,000,000 over 20,000", 1.5, $6 / small)
-        if ($7) at_most("bytes a particle at 1,000,000", 250, $7 * 1e6 / $2)
+        if ($7) at_most("bytes a disc at 1,000,000, with ledger", 230, $7 * 1e6 / $2)
     }
+    if ($1 == "bed-1m-no-ledger") at_most("ns a particle-step, bed of 1,000,000, no ledger", 14, $6)
 }
 kind == "peers" {
-    wanted = $1 ~ /^bed/ ? 5 : $1 ~ /^gas/ ? 2.5 : $1 ~ /-1000$/ ? 4 : 0
-    # Two cores were promised for the beds only.
-    if (wanted && ($3 == 1 || $1 ~ /^bed/)) at_least($1 " over LAMMPS, cores " $3 ", ledger " $4, wanted, $7)
+    is_off = $4 == "off"
+    if ($1 ~ /^gas/) wanted = is_off ? 4.5 : 3.5
+    else if ($1 ~ /^polydisperse/) wanted = is_off ? 7 : 5.5
+    else if ($3 == 1) wanted = is_off ? 10 : 7.5
+    else if ($1 ~ /-1000$/) wanted = is_off ? 7 : 6
+    else wanted = is_off ? 9 : 7
+    at_least($1 " over LAMMPS, cores " $3 ", ledger " $4, wanted, $7)
 }
 kind == "scaling" && $3 == 2 && $2 >= 20000 { at_least("speedup of two threads, " $1, 1.8, $5) }
 kind == "costs" && $1 == "live-frames" { at_most("per cent for live frames, " $2, 5, $5) }

@@ -17,7 +17,8 @@ impl Integrator for ForestRuth {
         let outer = 1.0 / (2.0 - 2.0f64.cbrt());
         for part in [outer, 1.0 - 2.0 * outer, outer] {
             discs.kick(0.5 * part * dt);
-            // What `drift` does; `each` reaches the discs themselves, for a method that needs more.
+            // What `drift` does, but for the time of walls that move; `each` reaches the discs themselves, for a method
+            // that needs more.
             discs.each(&|_, disc| disc.position += disc.velocity * (part * dt));
             discs.update_forces();
             discs.kick(0.5 * part * dt);

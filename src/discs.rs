@@ -59,8 +59,8 @@ pub trait Discs: Motion + Send {
     fn insert(&mut self, disc: Particle);
     /// Takes the disc of this id out, and gives it back; higher ids move down by one. Books the energy it takes along.
     fn remove(&mut self, id: usize) -> Particle;
-    /// Adds a force that is no contact; books the energy it brings. If other discs must take over, they are returned.
-    fn add_force(&mut self, force: Box<dyn Force>) -> Option<Box<dyn Discs>>;
+    /// Adds a force that is no contact; books the energy it brings.
+    fn add_force(&mut self, force: Box<dyn Force>);
     /// All that is remembered between two steps, where it lies.
     fn remembered(&self) -> Remembered<'_>;
     /// Goes back to what was remembered.

@@ -17,7 +17,8 @@ pub trait Motion {
     /// Changes every disc, of which the id is told too, for methods that need more than kicks and drifts: in any order, by several threads at once if
     /// there are many discs, so what one becomes may hang on nothing but itself. Velocities changed here and not by `kick`
     /// are missing from the work ledger; radii and masses are not an integrator's to change: a guard that goes back
-    /// would not find the old ones.
+    /// would not find the old ones. Time within a step goes on with `drift` alone, so whoever moves discs here leaves walls that
+    /// move, and what pairs remember, where they were.
     fn each(&mut self, change: &(dyn Fn(u32, &mut Particle) + Sync));
 }
 

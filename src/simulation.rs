@@ -195,11 +195,8 @@ impl Simulation {
     }
 
     /// Adds a force of your own. If it stores energy its work is booked as a spring's is, else as supplied from outside.
-    /// From now on the discs are stepped the plain way, in id order.
     pub fn add_force(&mut self, force: Box<dyn Force>) {
-        if let Some(others) = self.discs.add_force(force) {
-            self.discs = others;
-        }
+        self.discs.add_force(force);
     }
 
     /// Puts one more disc in between two steps; it has the highest id. Energies that come with it are booked as inflow.

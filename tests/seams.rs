@@ -495,7 +495,7 @@ fn a_wall_that_moves_has_the_bits_of_the_plain_step() {
     hold("shaker", &shaken(), &slow_discs(), 400);
     let mut alone = shaken();
     alone.planes.clear(); // no other wall has the discs near the floor looked at
-    hold("shaker alone", &alone, &slow_discs(), 400);
+    hold("shaker alone", &alone, &slow_discs(), 250); // some are pressed into it then: what that stores is held, too
 }
 
 #[test]

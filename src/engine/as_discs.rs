@@ -108,7 +108,7 @@ impl<I: Interaction> Discs for Engine<I> {
         self.columns.works[Channel::Hand].beside.add(lifted);
     }
 
-    fn add_force(&mut self, force: Box<dyn Force>) -> Option<Box<dyn Discs>> {
+    fn add_force(&mut self, force: Box<dyn Force>) {
         self.give(|engine| {
             engine.added.forces.push(force);
             if !engine.has_ledger() {
@@ -116,7 +116,6 @@ impl<I: Interaction> Discs for Engine<I> {
             }
             true
         });
-        None
     }
 
     fn insert(&mut self, disc: Particle) {

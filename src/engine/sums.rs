@@ -45,11 +45,18 @@ impl<I: Interaction> Engine<I> {
         let mut stored = 0.0;
         for &place in self.list.at_wall_of(block) {
             let disc = self.particle_at(place as usize);
+            let law = self.interaction.at_walls();
+            for wall in &self.walls {
+                let nearest = wall.nearest(disc.position, self.moment.of_forces());
+                let mut seen = disc;
+                seen.velocity -= nearest.velocity;
+                let contact = Contact::with_wall(&seen, nearest.distance, nearest.normal);
+                stored += contact.map_or(0.0, |contact| law.stored_energy(&contact));
+            }
             for plane in &self.planes {
                 let distance = plane.distance(disc.position);
-                if let Some(contact) = Contact::with_wall(&disc, distance, plane.normal) {
-                    stored += self.interaction.at_walls().stored_energy(&contact);
-                }
+                let contact = Contact::with_wall(&disc, distance, plane.normal);
+                stored += contact.map_or(0.0, |contact| law.stored_energy(&contact));
             }
         }
         let numbers = self.list.pairs_of(block);

@@ -152,12 +152,11 @@ impl<L: ContactLaw + 'static> Discs for PlainDiscs<L> {
     }
 
     /// Its work is booked from now on, with a ledger or without, so that what it supplies is known.
-    fn add_force(&mut self, force: Box<dyn Force>) -> Option<Box<dyn Discs>> {
+    fn add_force(&mut self, force: Box<dyn Force>) {
         self.give(|discs| {
             discs.forces.push(force);
             discs.books.shares = vec![Share::default(); discs.particles.len()];
         });
-        None
     }
 
     fn remembered(&self) -> Remembered<'_> {
