@@ -1,5 +1,5 @@
 //! Tells the code what the compiler has: the processor's registers of eight numbers (AVX-512) can be used from Rust 1.89
-//! on. With an earlier one everything is built without them, and is slower by a tenth.
+//! on. With an earlier one everything is built without them, and is slower by a twentieth.
 
 use std::env;
 use std::process::Command;
